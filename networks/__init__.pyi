@@ -1,3 +1,4 @@
+from .changes import exchange as exchange
 from .csource import PLATFORMS as PLATFORMS
 from .csource import CProgram as CProgram
 from .csource import ToolchainError as ToolchainError

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from ...base.checks import demand, instance, text
 from ...components import FAMILIES, Component, rotational, signals
 from ...components.language import PortRef, parts_of
-from ...networks import Network
+from ...networks import Network, exchange
 from .sites import GROUND
 
 
@@ -55,7 +55,21 @@ class Insert:
         return f"net.insert(net.{self.port}, {self.name}={_code(self.component)})"
 
 
-Edit = AddPart | Connect | Insert
+@dataclass(frozen=True)
+class Exchange:
+    """Put a component in the place of another one, given by path."""
+
+    path: str
+    component: Component
+
+    def __call__(self, network: Network) -> None:
+        exchange(network, self.path, self.component.clone())
+
+    def __str__(self) -> str:
+        return f'net = net.with_values(**{{"{self.path}": {_code(self.component)}}})'
+
+
+Edit = AddPart | Connect | Insert | Exchange
 
 
 def edited(network: Network, edits: Iterable[Edit]) -> Network:

@@ -99,6 +99,9 @@ class Effect:
         edits: what inserts it: (site, name, values) -> edits of the network.
         basis: (motion, shape) -> what each size adds for its unit: a force across, a stretch in series.
         shapes: (motion or site) -> values of the shape parameters worth trying.
+        eased: series only: (motion of a spring and what is in series with it, that spring's stiffness,
+            values) -> the force that the spring bears less with it; its distance counts from where it is
+            at rest, its force is that of the spring alone.
         change: channel only: (time, signal, values) -> the signal as the channel passes it on.
         drives: channel only: whether it is an actuator, which changes an input, not a sensor.
         parameters: (name, values) -> the network's parameters, if they are not `name.quantity`.
@@ -119,6 +122,7 @@ class Effect:
     edits: Callable[[Site, str, Values], list[Edit]] | None = None
     basis: Callable[[Motion, Values], list[Array]] | None = None
     shapes: Callable[[Extent], list[dict[str, float]]] = field(default=lambda motion: [dict[str, float]()])
+    eased: Callable[[Motion, float, Values], Array] | None = None
     change: Callable[[Array, Array, Values], Array] | None = None
     drives: bool = False
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None

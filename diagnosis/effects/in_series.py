@@ -8,7 +8,7 @@ from ...base import Array
 from ...components import Backlash, Component, Domain, rotational
 from ...networks import parallel
 from .. import criteria
-from .edits import AddPart, Connect, Edit, Insert
+from .edits import AddPart, Connect, Edit, Exchange, Insert
 from .effect import Effect, Motion, Values, both, register
 from .sites import Site
 
@@ -30,12 +30,22 @@ def _width(site: Site, values: Values) -> dict[str, float]:
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
+    """Return the elastic flanks that a spring becomes; with anything else a stiff gap is in series."""
+    if site.spring:
+        kind, _, _ = CLEARANCES[site.domain]
+        return [Exchange(site.path, kind(**{"d": 0.0, **dict(site.spring)}, **_width(site, values)))]
     stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
     calming = criteria.SETTLING_SECONDS * stiffness if site.sticks else 0.0
     kind, _, _ = CLEARANCES[site.domain]
     gap = kind(**{site.mechanics.stiffness: stiffness}, d=calming, **_width(site, values))
     both_ways = parallel(gap=gap, oil=site.family.Damper(d=oil))
     return [Insert(site.moving, name, both_ways), *_ballast(site, name, stiffness)]
+
+
+def _gap(site: Site, name: str, values: Values) -> dict[str, float]:
+    """Return the width of the gap by its path."""
+    path = site.path if site.spring else f"{name}.gap"
+    return {f"{path}.{key}": value for key, value in _width(site, values).items()}
 
 
 def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
@@ -66,6 +76,18 @@ def _taken_up(motion: Motion, _: Values) -> list[Array]:
     return [np.tanh(motion.f / (criteria.PLAY_FORCE_RATIO * float(np.abs(motion.f).max())))]
 
 
+def _in_the_gap(motion: Motion, stiffness: float, values: Values) -> Array:
+    """Return what a spring bears less if play is in series with it: all of it where it presses nowhere."""
+    eps = values["eps"]
+    return np.where(np.abs(motion.s) < eps, motion.f, stiffness * eps * np.sign(motion.s))
+
+
+def _softer(motion: Motion, stiffness: float, values: Values) -> Array:
+    """Return what a spring bears less if another one is in series with it."""
+    both_ways = stiffness * values["compliance"]
+    return motion.f * both_ways / (1 + both_ways)
+
+
 register(
     Effect(
         "backlash",
@@ -73,7 +95,8 @@ register(
         both(eps=(("eps", "m"), ("eps", "rad"))),
         _play,
         _taken_up,
-        parameters=lambda at, name, p: {f"{name}.gap.{key}": v for key, v in _width(at, p).items()},
+        eased=_in_the_gap,
+        parameters=_gap,
         step=criteria.CLEARANCE_STEP_RATIO,
     )
 )
@@ -84,6 +107,7 @@ register(
         both(compliance=(("compliance", "m/N"), ("compliance", "rad/(N.m)"))),
         _yielding,
         lambda motion, _: [motion.f],
+        eased=_softer,
         parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _spring(at, p).items()},
     )
 )

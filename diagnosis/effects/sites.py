@@ -7,8 +7,17 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
-from ...components import FAMILIES, Component, Domain, Fixed, Friction, rotational
-from ...components.language import Port, parts_of
+from ...components import (
+    FAMILIES,
+    Component,
+    Domain,
+    Fixed,
+    Friction,
+    Spring,
+    SpringDamper,
+    rotational,
+)
+from ...components.language import Parameter, Port, fields_of, parts_of
 from ...networks import Network
 
 # Pairs of ports that face each other: the one that reacts and the one that moves.
@@ -19,6 +28,7 @@ _PAIRS = (
     ("support_r", "flange_r"),
     ("support", "flange"),
 )
+SPRINGS = Spring, SpringDamper, rotational.Spring, rotational.SpringDamper
 GROUND = "ground"
 BETWEEN = frozenset({"across", "loaded", "series"})
 
@@ -48,6 +58,7 @@ class Site:
         largest: largest force through any site of its domain in it.
         instant: whether only forces that depend on the present motion can act here.
         grounded: whether one of its flanges is held by the ground.
+        spring: what it is made with, by name, if it is a linear spring, with or without a damper.
     """
 
     path: str
@@ -70,6 +81,7 @@ class Site:
     largest: float = inf
     instant: bool = False
     grounded: bool = False
+    spring: tuple[tuple[str, float], ...] = ()
 
     @property
     def mechanics(self) -> Domain:
@@ -147,8 +159,19 @@ def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | No
             far = f"{path}.{fixed}" if f"{path}.{fixed}" in node_of else GROUND
             rank = 2 if "d" in fields else int("s_rel" in fields or "phi_rel" in fields)
             sticks = isinstance(component, Friction | rotational.Friction)
-            return Site(path, port.domain, f"{path}.{moving}", far, BETWEEN, rank, sticks=sticks)
+            moved, spring = f"{path}.{moving}", tuple(_spring(component))
+            return Site(path, port.domain, moved, far, BETWEEN, rank, sticks=sticks, spring=spring)
     return None
+
+
+def _spring(component: Component) -> Iterator[tuple[str, float]]:
+    """Yield what a linear spring is made with, by name; nothing of other components."""
+    if type(component) not in SPRINGS or getattr(component, "useHeatPort", False):
+        return
+    names = [field.name for field in fields_of(component, Parameter)]
+    values = [getattr(component, name) for name in names]
+    if all(isinstance(value, float) for value in values):
+        yield from zip(names, values, strict=True)
 
 
 def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:

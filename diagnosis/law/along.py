@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, Flags
 from ...identification import Experiment, Prediction
-from ..criteria import LOST_SHARE, LOST_STANDARD_DEVIATIONS
+from ..criteria import LOST_GAP_SHARE, LOST_LEAST, LOST_SAMPLES, LOST_SHARE, LOST_STANDARD_DEVIATIONS
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, driven, sensed
 from ..models.force import Force, push_of
@@ -105,12 +105,16 @@ class Beside:
             residual[: self.until, free] -= residual[: self.until, free].mean(axis=0)
         return residual
 
-    def followed(self, whole: Experiment) -> int:
-        """Return the samples before it strays by a good part of what is seen in the record that it is of."""
+    def followed(self, whole: Experiment, missed: Array | None = None) -> int:
+        """Return the samples before it strays by a good part of what is seen in the record that it is of.
+
+        Or by some of what another model has `missed` of each output, in units of noise.
+        """
         moved = np.array([whole.compared.values[name] * whole.weights[name] for name in self.found.values])
         allowed = np.maximum(LOST_SHARE * moved.std(axis=1), LOST_STANDARD_DEVIATIONS)
-        lost = (np.abs(self.left) > allowed).any(axis=1)
-        return int(lost.argmax()) if lost.any() else len(lost)
+        if missed is not None:
+            allowed = np.minimum(allowed, np.maximum(LOST_GAP_SHARE * missed, LOST_LEAST))
+        return before(np.asarray((np.abs(self.left) > allowed).any(axis=1)))
 
     def answers(self, number: int, forces: Array) -> Array:
         """Return what forces at a site change, in units of noise.
@@ -183,3 +187,10 @@ class Beside:
         start = None if self.begin.start is None else self.begin.start + own[:first]
         parts = zip(self.experiment.unknown.items(), own[first:].tolist(), strict=False)
         return Begin(start, {name: prior.at(part) for (name, prior), part in parts})
+
+
+def before(away: Flags) -> int:
+    """Return the number of samples before a run is away for some of them in a row, not just a late impact."""
+    later = len(away) - LOST_SAMPLES + 1
+    lost = np.all([away[number : number + later] for number in range(LOST_SAMPLES)], axis=0)
+    return int(lost.argmax()) if lost.any() else len(away)

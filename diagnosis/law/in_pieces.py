@@ -25,16 +25,18 @@ from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
 from .along import Beside
 from .law import Law
+from .likened import likened
 from .missing_force import MissingForce, force_of
 from .pieces import Follower, cut
 from .polish import placed, polished
 from .search import Search
+from .sized import sized
 from .sought import Sought, best_law, refusal
 
 
 @dataclass(frozen=True, eq=False)
 class InPieces:
-    """A law that is foreseen along the motion that the missing force makes, and learnt in pieces of records.
+    """What does as the missing force does along the motion that this makes, held against pieces of records.
 
     A free run with it parts from the machine sooner or later, as a small error grows in valleys and at gaps.
     A piece ends where a run does so, and another begins where the machine is.
@@ -43,20 +45,22 @@ class InPieces:
         study: with whole records.
         model: in them.
         missing: the force.
-        law: as the training records tell it.
+        law: that is foreseen, as pieces of the training records tell it; None if there is none.
+        listed: effects of the list that are like it, or like the force in series with a spring.
         foreseen: how much of the force a law foresees, by site.
     """
 
     study: Study
     model: Refit
     missing: MissingForce
-    law: Law
+    law: Law | None
+    listed: Sequence[Candidate]
     foreseen: dict[str, float]
 
     @classmethod
     @computing("the search for what records in pieces lack")
     def of(cls, study: Study, model: Refit, known: MissingForce | None = None) -> InPieces | None:
-        """Return it for a model; None where no law foresees enough, or none follows the machine for long.
+        """Return it for a model; None where no law follows the machine long, and no effect is like the force.
 
         The missing force may be known. A model without states, as of a rig that prescribes all motion, loses
         nothing in free runs.
@@ -65,40 +69,47 @@ class InPieces:
             return None
         try:
             missing, law, foreseen = best_law(study, model, known or force_of(study, model))
-            if law.explained < LAW_FORESEEN_SHARE:
-                return None
-            learnt = _learnt(study, law, missing)
+            learnt = _learnt(study, law, missing) if law.explained >= LAW_FORESEEN_SHARE else None
+            listed = likened(missing, learnt, model)
+            if learnt is None and listed:
+                listed = sized(study, missing, listed)
         except InertanceError:
             return None
-        return None if learnt is None else cls(study, model, missing, learnt, foreseen)
+        return cls(study, model, missing, learnt, listed, foreseen) if learnt or listed else None
 
-    def cut_by_effect(self, listed: Sequence[Candidate]) -> Study | None:
-        """Return the records in pieces that the plainest of the effects likest to the law follows."""
-        if not listed:
+    @property
+    def likest(self) -> Candidate | None:
+        """The plainest of the effects that are likest to the force."""
+        if not self.listed:
             return None
-        least = listed[0].gain - LIKENED_LEAST_GAIN * self.model.cost
-        plainest = min((c for c in listed if c.gain > least), key=lambda c: len(c.values))
-        name = f"{plainest.effect.kind}_1"
-        effect = Hypothesis(plainest.effect, plainest.site, name, plainest.values)
-        return self._cut(effect, plainest.parameters)
+        least = self.listed[0].gain - LIKENED_LEAST_GAIN * self.model.cost
+        return min((c for c in self.listed if c.gain > least), key=lambda c: len(c.values))
+
+    def cut_by_effect(self, one: Candidate) -> Study | None:
+        """Return the records in pieces that an effect follows."""
+        effect = Hypothesis(one.effect, one.site, f"{one.effect.kind}_1", one.values)
+        law = self.law if self.law and one.effect.is_static else self.missing.law(("position",))
+        return self._cut(effect, one.parameters, law)
 
     def cut_by_law(self) -> Study | None:
         """Return the records in pieces that the law follows."""
-        return self._cut(placed(self.law), self.law.given)
+        return None if self.law is None else self._cut(placed(self.law), self.law.given, self.law)
 
     def sought(self, pieces: Study, base: Refit) -> Sought | None:
         """Return what comes of the law in pieces of the records, held against a model in them."""
+        if self.law is None:
+            return None
         try:
             found = polished(pieces, self.law)
         except InertanceError:
             return None
         return Sought(base, self.missing, self.foreseen, found, refusal(base, found))
 
-    def _cut(self, effect: Hypothesis, given: Mapping[str, float]) -> Study | None:
-        """Return the records in pieces that an effect follows; None if it follows none for long."""
+    def _cut(self, effect: Hypothesis, given: Mapping[str, float], law: Law) -> Study | None:
+        """Return the records in pieces that an effect follows, as a law would; None if it follows none."""
         try:
             runs = [*self.missing.settled.runs, *self._tested]
-            return cut(self.study, Follower.of(self.study, self.law, effect, runs, given), runs)
+            return cut(self.study, Follower.of(self.study, self.missing, law, effect, given), runs)
         except InertanceError:
             return None
 
@@ -124,7 +135,7 @@ def _learnt(study: Study, law: Law, missing: MissingForce) -> Law | None:
         if study.late():
             break
         try:
-            pieces = cut(alone, Follower.of(alone, law, placed(law), runs, law.given), runs)
+            pieces = cut(alone, Follower.of(alone, missing, law, placed(law), law.given), runs)
             found = polished(pieces, law)
         except InertanceError:
             break

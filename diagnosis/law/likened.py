@@ -2,52 +2,96 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from ...base import Array
-from ..criteria import LIKENED_POINTS, LIKENED_SHAPE_SPREAD, LIKENED_SHARE
+from ..criteria import LIKENED_POINTS, LIKENED_SHAPE_SPREAD, LIKENED_SHARE, LIKENED_VALUES
 from ..effects.effect import EFFECTS, Effect, Motion, Values
 from ..effects.sites import Site
 from ..models.probes import scaled
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
 from .law import Law
+from .missing_force import MissingForce
 from .regression import apart
 
 
-def likened(law: Law, base: Refit) -> list[Candidate]:
-    """Return static effects and those in series at the site of a law that do what it does.
+def likened(missing: MissingForce, law: Law | None, base: Refit) -> list[Candidate]:
+    """Return effects that do what a law does at its site, or what the missing force takes off a spring there.
 
-    An effect in series stretches by what that force would stretch the part that it stands beside. What
-    constants of stiffness and damping may be off is left out of account. The likest comes first, with the
-    values that make it so; its gain is so much of what a model misses as it has of the force. Those that do
-    much less than the law are left out.
+    What constants of stiffness and damping may be off is left out of account of a law. The likest comes
+    first, with the values that make it so; its gain is so much of what a model misses as it has of the
+    force. Those that do much less are left out.
     """
+    found = [*_likened_across(law, base)] if law is not None else []
+    found += _likened_in_series(missing, base)
+    return sorted(found, key=lambda candidate: -candidate.gain)
+
+
+def _likened_across(law: Law, base: Refit) -> Iterator[Candidate]:
+    """Yield static effects at the site of a law."""
     pairs = [(run.motion(law.number), law.along(m)) for run, m in zip(law.runs, law.motions, strict=True)]
-    points = sum(len(force) for _, force in pairs)
-    every = slice(None, None, max(1, points // LIKENED_POINTS))
+    every = _few([motion for motion, _ in pairs])
     motions, forces = [_at(m, every) for m, _ in pairs], [force[every] for _, force in pairs]
     site = scaled(law.site, motions, None)
-    found = []
     for effect in EFFECTS.values():
-        of_now = effect.is_static or (effect.place == "series" and not effect.memory and not effect.ages)
-        if not of_now or not effect.may_act(site):
+        if not effect.is_static or not effect.may_act(site):
             continue
-        if effect.place == "series":
-            fit = _in_series(effect, site, motions, forces)
-        else:
-            fit = _across(effect, site, motions, forces)
+        fit = _across(effect, site, motions, forces)
         widest = max(fit.motions, key=lambda m: m.travel)
         tried = [fit.of(shape) for shape in effect.shaped(site.domain, widest)]
         values, share = fit.refined(max(tried, key=lambda one: one[1]))
-        if share <= LIKENED_SHARE:
+        if share > LIKENED_SHARE:
+            yield Candidate(effect, site, values, share * base.cost, 1.0, _beside(law, effect, site, values))
+
+
+def _likened_in_series(missing: MissingForce, base: Refit) -> Iterator[Candidate]:
+    """Yield effects in series with a spring at the site of a force, with what this takes off the spring."""
+    settled = missing.settled
+    motions = [run.motion(settled.number) for run in settled.runs]
+    site, every = scaled(missing.site, motions, None), _few(motions)
+    motions = [_at(m, every) for m in motions]
+    wanted = -np.concatenate([force.values[every] for force in settled.forces])
+    moved = np.concatenate([np.column_stack([m.s, m.v, np.ones(len(m.s))]) for m in motions])
+    borne = np.concatenate([m.f for m in motions])
+    stiffness, _, preload = np.linalg.lstsq(moved, borne, rcond=None)[0].tolist()
+    if stiffness <= 0:
+        return
+    whole = replace(motions[0], s=moved[:, 0] + preload / stiffness, v=moved[:, 1], f=borne)
+    for effect in EFFECTS.values():
+        if effect.eased is None or not effect.may_act(site):
             continue
-        given = law.given if effect.place == "series" else _beside(law, effect, site, values)
-        found.append(Candidate(effect, site, values, share * base.cost, 1.0, given))
-    return sorted(found, key=lambda candidate: -candidate.gain)
+        values, left = _eased(effect, site.domain, whole, stiffness, wanted)
+        share = 1 - left / float(wanted @ wanted)
+        if share > LIKENED_SHARE:
+            yield Candidate(effect, site, values, share * base.cost, 1.0, settled.given)
+
+
+def _eased(
+    effect: Effect, domain: str, motion: Motion, stiffness: float, wanted: Array
+) -> tuple[dict[str, float], float]:
+    """Return the value with which an effect takes off a spring what is wanted, and the square of the rest."""
+    from scipy.optimize import minimize_scalar
+
+    (size,) = effect.sizes(domain)
+    eased = effect.eased
+    assert eased is not None
+
+    def left(exponent: float) -> float:
+        return float(((wanted - eased(motion, stiffness, {size.name: np.exp(exponent)})) ** 2).sum())
+
+    tried = np.log(np.geomspace(*LIKENED_VALUES))
+    step, best = tried[1] - tried[0], min(tried.tolist(), key=left)
+    found = minimize_scalar(left, bounds=(best - step, best + step), method="bounded")
+    return {size.name: float(np.exp(found.x))}, float(found.fun)
+
+
+def _few(motions: Sequence[Motion]) -> slice:
+    """Return which points of motions are enough to tell what a force is like."""
+    return slice(None, None, max(1, sum(len(m.t) for m in motions) // LIKENED_POINTS))
 
 
 def _beside(law: Law, effect: Effect, site: Site, values: Values) -> dict[str, float]:
@@ -88,18 +132,6 @@ def _across(effect: Effect, site: Site, motions: Sequence[Motion], forces: Seque
     return _Fit(
         effect, site.domain, about, force, np.concatenate([np.column_stack([m.s, m.v]) for m in about])
     )
-
-
-def _in_series(effect: Effect, site: Site, motions: Sequence[Motion], forces: Sequence[Array]) -> _Fit:
-    """Return the fit of a stretch: of what the force at a site takes off the one through a part there."""
-    borne = np.concatenate([m.f for m in motions])
-    moved = np.concatenate([np.column_stack([m.s, m.v, np.ones(len(m.s))]) for m in motions])
-    stiffness = float(np.linalg.lstsq(moved, borne, rcond=None)[0][0])
-    pairs = zip(motions, forces, strict=True)
-    about = [replace(effect.about(m, site), f=m.f + force) for m, force in pairs]
-    stretch = -np.concatenate(forces) / (stiffness or 1.0)
-    passed = np.concatenate([m.f for m in about])
-    return _Fit(effect, site.domain, about, stretch, passed[:, None])
 
 
 class _Fit:

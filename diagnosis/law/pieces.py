@@ -10,6 +10,7 @@ from itertools import islice
 
 import numpy as np
 
+from ...base import Array
 from ...components import SimulationError
 from ...identification import Experiment
 from ..criteria import (
@@ -19,19 +20,22 @@ from ..criteria import (
     PIECE_SAMPLES,
     PIECE_STARTS,
     PIECES,
+    PIECES_SPREAD,
 )
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from .along import Bench, Beside
+from .along import Bench, Beside, before
 from .law import Law
+from .missing_force import MissingForce
 from .regression import own_of
 
 
 @dataclass(frozen=True, eq=False)
 class Follower:
-    """A model that is to follow a machine, at a site by `within` a distance.
+    """A model that is to follow a machine, at a site `within` a distance.
 
-    `states` are those of the model that all effects are beside.
+    `states` are those of the model that all effects are beside. What that has `missed` is told of one that
+    follows through impacts, for a short time and closely: with play, or another effect in series.
     """
 
     bench: Bench
@@ -39,48 +43,89 @@ class Follower:
     states: Sequence[str]
     site: int
     within: float
+    missed: Array | None
 
     @classmethod
     def of(
-        cls, study: Study, law: Law, effect: Hypothesis, runs: Sequence[Beside], given: Mapping[str, float]
+        cls, study: Study, missing: MissingForce, law: Law, effect: Hypothesis, given: Mapping[str, float]
     ) -> Follower:
-        """Return that with an effect beside the model of some runs, where a law says how near it must be."""
-        beside = runs[0].bench
+        """Return that with an effect beside a model, as near as what is to follow a law."""
+        beside = missing.search.bench
         bench = Bench(study, beside.names, [*beside.effects, effect])
         within = LOST_LENGTH_SHARE * law.length
-        return cls(bench, given, beside.predictor.dae.state_names, law.number, within)
+        missed = None
+        if effect.effect.place == "series":
+            left = np.concatenate([run.left for run in missing.search.nominal])
+            missed = np.sqrt(np.mean(left**2, axis=0))
+        return cls(bench, given, beside.predictor.dae.state_names, law.number, within, missed)
 
     def followed(self, run: Beside, along: Beside, begin: int) -> int:
         """Return for how many samples a run of a piece follows a record, and one that goes along it."""
-        kept = run.followed(along.experiment)
+        kept = run.followed(along.experiment, self.missed)
         if not goes_along(along):
             return kept
         there = along.motion(self.site).s[along.found.at][begin : begin + len(run.found.at)]
-        away = np.abs(run.motion(self.site).s[run.found.at] - there) > self.within
-        return min(kept, int(away.argmax())) if away.any() else kept
+        return min(kept, before(np.abs(run.motion(self.site).s[run.found.at] - there) > self.within))
+
+    def spread(self, along: Beside, count: int, most: int) -> Iterator[tuple[int, Experiment]]:
+        """Yield where parts begin that are spread over a record, and those, of so many samples at most.
+
+        They begin as the machine did.
+        """
+        time = along.experiment.compared.time
+        most = min(most, max((len(time) - 1) // count, 2 * PIECE_SAMPLES), len(time) - 1)
+        for begin in np.linspace(0, len(time) - 1 - most, count).astype(int).tolist():
+            yield begin, along.experiment.part(begin, begin + most, _motion(along, float(time[begin]), self))
 
 
 def cut(study: Study, follower: Follower, runs: Sequence[Beside]) -> Study:
     """Return a study with a record for each piece of what it has, of which `runs` go along what was measured.
 
     Raises:
-        SimulationError: if there would be very many.
+        SimulationError: if there would be very many, or the model follows the machine nowhere.
     """
     campaign = copy(study.campaign)
     count = len(campaign.training)
+    there = campaign.training, campaign.testing
     campaign.training, campaign.testing = (
-        [piece for run in some for piece in _few(_pieces(follower, run))]
-        for some in (runs[:count], runs[count:])
+        [piece for run in some for piece in _few(follower, run)] for some in (runs[:count], runs[count:])
     )
+    if any(
+        whole and not parts for whole, parts in zip(there, (campaign.training, campaign.testing), strict=True)
+    ):
+        raise SimulationError("no run follows the machine for long")
     longest = max(float(np.ptp(piece.record.time)) for piece in campaign.experiments)
     return replace(study, campaign=campaign, pieces=longest)
 
 
-def _few(pieces: Iterator[Experiment]) -> list[Experiment]:
-    found = [*islice(pieces, PIECES + 1)]
+def _few(follower: Follower, along: Beside) -> list[Experiment]:
+    """Return the pieces of a record; of one that is followed closely parts that are spread over it."""
+    if follower.missed is not None:
+        return [*_spread(follower, along)] if goes_along(along) else []
+    found = [*islice(_pieces(follower, along), PIECES + 1)]
     if len(found) > PIECES:
-        raise SimulationError(f"{found[0].name}: no run follows the machine for long")
+        raise SimulationError(f"{along.experiment.name}: no run follows the machine for long")
     return found
+
+
+def _spread(follower: Follower, along: Beside) -> Iterator[Experiment]:
+    """Yield parts of a record that a model follows, of those that are spread over it."""
+    for begin, part in follower.spread(along, PIECES_SPREAD, len(along.found.at)):
+        found, kept = _farthest(follower, along, begin, part)
+        if found is not None and PIECE_KEPT * kept > PIECE_SAMPLES:
+            motion = _motion(found, along.experiment.compared.time[begin], follower)
+            yield along.experiment.part(begin, begin + int(PIECE_KEPT * kept), motion)
+
+
+def _farthest(follower: Follower, along: Beside, begin: int, part: Experiment) -> tuple[Beside | None, int]:
+    """Return the run that follows farthest through a part of a record, and how far, by ever longer ones."""
+    last, motion = len(part.compared.time) - 1, part.motion
+    end = min(2 * PIECE_SAMPLES, last)
+    while True:
+        found, kept = _begun(follower, along, begin, begin + end, [motion])
+        if found is None or kept <= end or end == last:
+            return found, kept
+        end, motion = min(2 * end, last), _motion(found, along.experiment.compared.time[begin], follower)
 
 
 def _pieces(follower: Follower, along: Beside) -> Iterator[Experiment]:
@@ -114,7 +159,7 @@ def goes_along(run: Beside) -> bool:
 def _motion(run: Beside, time: float, follower: Follower) -> dict[str, float]:
     """Return the states of the model without a law in a run, by path."""
     found = run.found.run
-    return {name: float(found.at(name, time)) for name in follower.states}
+    return {name: float(np.interp(time, found.time, found[name])) for name in follower.states}
 
 
 def _begun(

@@ -108,7 +108,7 @@ def _made(study: Study, fit: Fit) -> Refit | str:
 def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
     """Return parameters and values to fit a candidate from: as screened, or as its special case."""
     effect, site = candidate.effect, candidate.site
-    if effect.place == "series":
+    if effect.place == "series" and not candidate.sized:
         return [
             (candidate.parameters, {k: size * v for k, v in candidate.values.items()})
             for size in criteria.SERIES_START_SIZES

@@ -36,12 +36,14 @@ class Candidate(SitedEffect):
         gain: drop of the squared residual, in units of noise, over what the nominal parameters can do.
         share: what is left of its signature once the parameters' slopes are taken off, 0 to 1.
         parameters: those of the model that it was screened on; along a missing force, those that suit it.
+        sized: whether runs have told its values, not just what is linear.
     """
 
     values: dict[str, float]
     gain: float
     share: float
     parameters: Mapping[str, float]
+    sized: bool = False
 
 
 @dataclass(eq=False)

@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..criteria import LAW_LEAVES_SHARE, LOST_STANDARD_DEVIATIONS
+from ..criteria import LAW_LEAVES_SHARE, LOST_STANDARD_DEVIATIONS, PIECE_FITS
 from ..effects.hypothesis import Hypothesis
 from ..law.in_pieces import InPieces, refitted
 from ..law.likened import likened
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit
+from ..search.score_test import Candidate
 from ..search.tried import without
 from .counterfactual import Foretold, counterfactuals
 from .decide import OPEN_END, closed_by
 from .gap import gaps
-from .named import named
+from .named import Named
 from .verdict import Evidence, Verdict
 
 
@@ -34,7 +35,7 @@ def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
     if found.verdict not in OPEN_END and not _is_lost(found):
         return found
     inner = _in_pieces(study, replace(verdict, sought=found.sought))
-    return found if inner.verdict in OPEN_END else inner
+    return inner if inner.verdict not in OPEN_END or len(inner.effects) > len(found.effects) else found
 
 
 def _is_lost(verdict: Verdict) -> bool:
@@ -57,14 +58,29 @@ def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
 
 
 def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
-    """Return the verdict that names an effect of the list which holds in pieces of records."""
-    listed = likened(inside.law, inside.model)
-    pieces = inside.cut_by_effect(listed)
-    if pieces is None:
-        return None
-    evidence = _evidence_in(pieces, inside, verdict)
-    where_it_was = replace(evidence.refit, starts=())
-    return named(pieces, evidence, listed, where_it_was, [_told(inside.study, pieces)])
+    """Return the verdict that names an effect of the list which holds in pieces of records.
+
+    They are cut once more by what was fitted to them: the nearer a model is, the farther it follows.
+    """
+    chosen, tried = inside.likest, None
+    listed = {one.label: one for one in inside.listed}
+    for _ in range(PIECE_FITS):
+        pieces = None if chosen is None else inside.cut_by_effect(chosen)
+        if pieces is None:
+            break
+        evidence = _evidence_in(pieces, inside, verdict)
+        tried = Named.of(pieces, evidence, [*listed.values()], replace(evidence.refit, starts=()))
+        if tried.best is None:
+            break
+        chosen = _as_fitted(tried.best)
+        listed[chosen.label] = chosen
+    return None if tried is None else tried.verdict([_told(inside.study, tried.study)])
+
+
+def _as_fitted(model: Refit) -> Candidate:
+    """Return the last effect of a model, to be fitted from there."""
+    last = model.effects[-1]
+    return Candidate(last.effect, last.site, dict(last.values), model.cost, 1.0, model.parameters, sized=True)
 
 
 def _law_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
@@ -108,10 +124,14 @@ def _in_whole(study: Study, verdict: Verdict) -> Verdict:
 def _in_its_place(verdict: Verdict, found: Sought) -> Verdict | None:
     """Return the verdict that names an effect of the list in place of a law that is like it."""
     evidence, law, model = verdict.evidence, found.law, found.model
-    if found.before.effects or law is None or model is None or not (listed := likened(law, evidence.refit)):
+    if found.before.effects or law is None or model is None:
+        return None
+    listed = likened(found.missing, law, evidence.refit)
+    if not listed:
         return None
     near = replace(evidence.refit, starts=model.starts)
-    return named(evidence.study, evidence, listed, near, (), instead=model)
+    tried = Named.of(evidence.study, evidence, listed, near)
+    return tried.verdict(()) if tried.stands_for(model) else None
 
 
 def _with_law(study: Study, verdict: Verdict, found: Sought) -> Verdict:

@@ -139,8 +139,12 @@ def _leaves_noise(model: Refit, study: Study) -> bool:
 
 
 def explains(best: Refit, base: Refit, study: Study) -> bool:
-    """Tell whether nothing but noise is left, or what no law is so right that it would not leave it."""
-    return _leaves_noise(best, study) or closed_by(best, base, study) >= EXPLAINED_GAP_SHARE
+    """Tell whether nothing but noise is left, or what no law is so right that it would not leave it.
+
+    In pieces of records, in which an error grows until they end, that counts by its square.
+    """
+    share = closed_by(best, base, study) if study.pieces is None else gap_taken(best, base)
+    return _leaves_noise(best, study) or share >= EXPLAINED_GAP_SHARE
 
 
 def certain_part(

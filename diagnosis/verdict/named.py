@@ -1,13 +1,14 @@
-"""A law that is like an effect of the list: the effect is named in its place."""
+"""A law, or a missing force, that is like an effect of the list: the effect is named in its place."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from ..criteria import LAW_LEAVES_SHARE
+from ..criteria import CERTAIN_GAP_SHARE, LAW_LEAVES_SHARE
 from ..models.study import Study
 from ..search.choice import taken
-from ..search.model_comparison import Refit
+from ..search.model_comparison import Refit, gap_taken
 from ..search.revision import Rivals
 from ..search.round import Round, go_on
 from ..search.score_test import Candidate
@@ -15,27 +16,45 @@ from .decide import closed_by, decided, explains
 from .verdict import Evidence, Verdict
 
 
-def named(
-    study: Study,
-    evidence: Evidence,
-    listed: Sequence[Candidate],
-    near: Refit,
-    notes: Sequence[str],
-    instead: Refit | None = None,
-) -> Verdict | None:
-    """Return the verdict that names one of some effects, if it explains what is missing; None if none does.
+@dataclass(frozen=True, eq=False)
+class Named:
+    """What came of fitting some effects to the records of a study.
 
-    Records begin where those of the model do that is `near`. It is to leave about as little as a model that
-    it stands for `instead`.
+    Attributes:
+        study: the records.
+        evidence: what is known of the model without them.
+        done: the fits.
+        best: the model with the best of them; None if none is clearly better than without.
     """
-    base = evidence.refit
-    done = Round(base, [*evidence.screened], [], dict(evidence.failed))
-    go_on(study, done, listed, near)
-    best = taken(done, base)
-    if best is None or not explains(best, base, study):
-        return None
-    if instead is not None and not best.is_noise(study.judged):
-        left = 1.0 - closed_by(instead, base, study)
-        if left < LAW_LEAVES_SHARE * (1.0 - closed_by(best, base, study)):
+
+    study: Study
+    evidence: Evidence
+    done: Round
+    best: Refit | None
+
+    @classmethod
+    def of(cls, study: Study, evidence: Evidence, listed: Sequence[Candidate], near: Refit) -> Named:
+        """Return it for effects beside a model; records begin where those of the model do that is `near`."""
+        base = evidence.refit
+        done = Round(base, [*evidence.screened], [], dict(evidence.failed))
+        go_on(study, done, listed, near)
+        return cls(study, evidence, done, taken(done, base))
+
+    def stands_for(self, model: Refit) -> bool:
+        """Tell whether the best explains what is missing, and leaves about as little as a model."""
+        base = self.evidence.refit
+        if self.best is None or not explains(self.best, base, self.study):
+            return False
+        if self.best.is_noise(self.study.judged):
+            return True
+        left = 1.0 - closed_by(model, base, self.study)
+        return left >= LAW_LEAVES_SHARE * (1.0 - closed_by(self.best, base, self.study))
+
+    def verdict(self, notes: Sequence[str]) -> Verdict | None:
+        """Return the verdict that names the best, if it explains what is missing or surely most of it."""
+        base = self.evidence.refit
+        if self.best is None:
             return None
-    return decided(study, evidence.nominal, base, best, [done], notes, Rivals())
+        if not explains(self.best, base, self.study) and gap_taken(self.best, base) < CERTAIN_GAP_SHARE:
+            return None
+        return decided(self.study, self.evidence.nominal, base, self.best, [self.done], notes, Rivals())

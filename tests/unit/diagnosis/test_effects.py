@@ -1,6 +1,7 @@
 """Effects: where they can be, and that each can be put in and taken for what it is."""
 
 from dataclasses import replace
+from typing import Any
 from unittest.mock import patch
 
 import inertance as ia
@@ -284,3 +285,37 @@ def test_the_drift_of_a_sensor_of_speed_is_an_acceleration() -> None:
     site = Site("v", "channel", "mass.v", "", frozenset({"channel"}))
     placed = Hypothesis(effect_of("sensor_drift"), site, "drift_1", {"rate": 0.1, "bend": 0.0})
     assert placed.units(campaign) == {"rate": "m/s2", "bend": "m/s3"}
+
+
+@pytest.mark.parametrize("damped", [False, True])
+def test_a_spring_with_play_has_elastic_flanks_and_no_part_more(damped: bool) -> None:
+    """Its motion is that of the dead zone, its parameters stay where they are, and the line for it runs."""
+    net = ia.Network("shaft", frame=rotational.Fixed(), load=rotational.Inertia(J=0.03, phi=0.02))
+    spring = rotational.SpringDamper(c=50.0, d=0.2) if damped else rotational.Spring(c=50.0)
+    net.add(coupling=spring).connect(net.frame.flange, net.coupling.flange_a)
+    net.connect(net.coupling.flange_b, net.load.flange)
+    (site,) = (site for site in sites_of(net) if "series" in site.places)
+    placed = Hypothesis(effect_of("backlash"), site, "backlash_1", {"eps": 0.004})
+    assert dict(placed.network_parameters) == {"coupling.b": 0.008}
+    (edit,) = placed.edits
+    changed = edited(net, [edit])
+    assert {"coupling.c", "coupling.b"} <= set(changed.dae().parameters.index)
+    assert [*changed.dae().state_names] == [*net.dae().state_names]
+    flanks = rotational.ElastoBacklash(c=50.0, d=0.2 * damped, b=0.008)
+    run, wanted = (ia.simulate(n, 2.0) for n in (changed, net.with_values(coupling=flanks)))
+    assert run["load.phi"] == pytest.approx(wanted["load.phi"], abs=1e-12)
+    scope: dict[str, Any] = {"net": net, "rotational": rotational}
+    exec(str(edit), scope)
+    assert type(scope["net"].coupling) is rotational.ElastoBacklash
+
+
+def test_what_play_takes_off_a_spring_is_what_flanks_bear_less() -> None:
+    s = np.linspace(-0.02, 0.02, 401)
+    rest = np.zeros_like(s)
+    motion = Motion(s, s, rest, 50.0 * s, rest)
+    for kind, values in (("backlash", {"eps": 0.004}), ("compliance", {"compliance": 0.02})):
+        eased = effect_of(kind).eased
+        assert eased is not None
+        borne = motion.f - eased(motion, 50.0, values)
+        beyond = np.sign(s) * np.maximum(np.abs(s) - 0.004, 0.0)
+        assert borne == pytest.approx(50.0 * beyond if kind == "backlash" else 25.0 * s, abs=1e-12)

@@ -352,7 +352,7 @@ def test_each_effect_of_a_partial_verdict_takes_most_of_what_was_left(
     pruned = Held(9.0, [SimpleNamespace(label="pruned")])
     rounds: Any = [SimpleNamespace(base=model) for model in (base, pruned, *further)]
     best: Any = ([base, *further])[-1]
-    study: Any = SimpleNamespace(judged=[])
+    study: Any = SimpleNamespace(judged=[], pieces=None)
     assert len(certain_part(best, cast(Any, base), rounds, study).effects) == named
 
 

@@ -99,7 +99,7 @@ def test_play_begins_within_its_stops() -> None:
     given = study_of(thinned(Campaign(rig(False), channels, priors, entries, [])), Accuracy())
     play = at(given, "backlash", "link", eps=1.2 * EPS)
     found = JointFit(
-        given, given.campaign.start, [replace(play, site=replace(play.site, force=30.0))]
+        given, given.campaign.start, [replace(play, site=replace(play.site, force=30.0, spring=()))]
     ).fitted()
     for start in found.starts:
         assert abs(start["backlash_1.gap.s_rel"]) < 3 * EPS
