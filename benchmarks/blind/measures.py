@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import sqrt
+from itertools import pairwise
+from math import inf, sqrt
 from typing import Any
 
 Answer = tuple[str, str]
+CONFIDENCES = 0.0, 0.6, 0.9, 0.99, 0.9999, inf  # that are told apart
 
 
 @dataclass(frozen=True)
@@ -100,6 +102,25 @@ def null_cases(cases: Sequence[Scored]) -> list[Scored]:
 
 def alarm(case: Scored) -> bool:
     return case.said in ("effect", "ambiguous", "partial", "law", "unknown")
+
+
+def reliability(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
+    """Return how many of the effects that are named are there, by how sure of them verdicts are."""
+    told = [
+        (float(effect["confidence"]), case.is_right(answer))
+        for case in cases
+        for effect, answer in zip(case.verdict.get("effects") or [], case.named, strict=True)
+        if effect.get("confidence") is not None
+    ]
+    rows = []
+    for low, high in pairwise(CONFIDENCES):
+        there = [right for sure, right in told if low <= sure < high]
+        if there:
+            mean = sum(sure for sure, _ in told if low <= sure < high) / len(there)
+            least, most = wilson(sum(there), len(there))
+            figure = f"{sum(there) / len(there):6.1%}  [{least:.1%}, {most:.1%}]  {sum(there)}/{len(there)}"
+            rows.append((f"confidence {low:.4g} to {min(high, 1.0):.4g}", figure, f"{mean:.4g} told"))
+    return rows
 
 
 def _answer(effect: dict[str, Any]) -> Answer:

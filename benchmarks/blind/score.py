@@ -15,7 +15,7 @@ from pathlib import Path
 from statistics import mean, median
 from typing import Any
 
-from measures import Scored, alarm, is_outside, null_cases, share
+from measures import Scored, alarm, is_outside, null_cases, reliability, share
 from needles import score as sharp
 from seal import unseal
 from second import score as later
@@ -140,6 +140,7 @@ def report(folder: Path) -> list[Scored]:
     show(f"diagnosis, {len(cases)} cases", later.table(cases) if second else table(cases))
     if second:
         show("right verdicts by how records were taken, gap-to-noise 3 and 10", later.by_cause(cases))
+    show("effects that are there, of those named, by how sure verdicts are", reliability(cases))
     show("kind and site by kind, gap-to-noise 3 and 10", by(cases, lambda c: c.label["effects"][0]["kind"]))
     show("kind and site by topology, gap-to-noise 3 and 10", by(cases, lambda c: c.label["rig"]))
     names = sorted({path.name for path in folder.glob("cases/*/baseline_*.json")} - {"verdict.json"})

@@ -32,8 +32,8 @@ def _width(site: Site, values: Values) -> dict[str, float]:
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
     """Return the elastic flanks that a spring becomes; with anything else a stiff gap is in series."""
     if site.spring:
-        kind, _, _ = CLEARANCES[site.domain]
-        return [Exchange(site.path, kind(**{"d": 0.0, **dict(site.spring)}, **_width(site, values)))]
+        made = {"d": 0.0, **dict(site.spring), "b": 2 * values["eps"]}
+        return [Exchange(site.path, site.family.ElastoBacklash(**made))]
     stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
     calming = criteria.SETTLING_SECONDS * stiffness if site.sticks else 0.0
     kind, _, _ = CLEARANCES[site.domain]
@@ -44,8 +44,9 @@ def _play(site: Site, name: str, values: Values) -> list[Edit]:
 
 def _gap(site: Site, name: str, values: Values) -> dict[str, float]:
     """Return the width of the gap by its path."""
-    path = site.path if site.spring else f"{name}.gap"
-    return {f"{path}.{key}": value for key, value in _width(site, values).items()}
+    if site.spring:
+        return {f"{site.path}.b": 2 * values["eps"]}
+    return {f"{name}.gap.{key}": value for key, value in _width(site, values).items()}
 
 
 def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:

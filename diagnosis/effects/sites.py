@@ -168,10 +168,9 @@ def _spring(component: Component) -> Iterator[tuple[str, float]]:
     """Yield what a linear spring is made with, by name; nothing of other components."""
     if type(component) not in SPRINGS or getattr(component, "useHeatPort", False):
         return
-    names = [field.name for field in fields_of(component, Parameter)]
-    values = [getattr(component, name) for name in names]
-    if all(isinstance(value, float) for value in values):
-        yield from zip(names, values, strict=True)
+    made = {field.name: getattr(component, field.name) for field in fields_of(component, Parameter)}
+    if all(isinstance(value, float) for value in made.values()) and made.get("k", made.get("c", 0.0)) > 0:
+        yield from made.items()
 
 
 def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:

@@ -14,7 +14,6 @@ from ..criteria import MOVED_STANDARD_DEVIATIONS
 from ..verdict.localisation import moved
 from ..verdict.ranked import Ranked
 from ..verdict.verdict import Verdict
-from ..verdict.wording import sure
 from .figures import MEASURED_COLOUR, STAGE_COLOURS, Figure, Stages, bars, clouds, over_time, spectra
 from .force_section import force_blocks, force_title
 from .network_drawing import drawings
@@ -247,7 +246,7 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
     for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
         for quantity, unit in placed.units(campaign).items():
             named, value = f"{escape(placed.name)}.{escape(quantity)}", number(placed.values[quantity])
-            rows.append([named, "", "", "", value, pretty_unit(unit), sure(confidence), "", ""])
+            rows.append([named, "", "", "", value, pretty_unit(unit), f"{confidence:.0%}", "", ""])
     if not rows:
         yield "<p>None is uncertain.</p>"
         return

@@ -10,8 +10,10 @@ import numpy as np
 
 from ...components import SimulationError
 from ..criteria import (
+    ALIKE_RIGHT_SHARE,
     CERTAIN_GAP_SHARE,
     CERTAIN_RESIDUAL_SHARE,
+    CLEAR_RIGHT_SHARE,
     COLOURED_MISFIT,
     EXPLAINED_GAP_SHARE,
     NOISE_MISFIT,
@@ -242,7 +244,10 @@ def _class(best: Refit, first: Round, alike: Sequence[Refit]) -> tuple[tuple[str
 def _confidence(
     best: Refit, position: int, rounds: Sequence[Round], rivals: Rivals, apart: Mapping[int, float]
 ) -> float:
-    """Return the chance that no other fitted effect is better on further data, a half of what is alike.
+    """Return how often an effect is there that is named as clearly before the other fitted ones.
+
+    So often it was on blind sets: mostly where others are alike, as the plainest is named of those, and never
+    always, as what is in no list may be like what is.
 
     Records of a changed machine may tell some models `apart`, by so many standard errors.
     """
@@ -262,4 +267,5 @@ def _confidence(
         if placed.label not in rivals:
             rest = (f for f in done.fitted if f is not own and not f.effects[-1].generalises(placed))
             margins += [clear(f, own) for f in rest]
-    return float(norm.cdf(max(0.0, min(margins, default=0.0))))
+    clearer = 2 * float(norm.cdf(max(0.0, min(margins, default=0.0)))) - 1
+    return ALIKE_RIGHT_SHARE + (CLEAR_RIGHT_SHARE - ALIKE_RIGHT_SHARE) * clearer

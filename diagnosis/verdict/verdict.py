@@ -23,7 +23,7 @@ from .counterfactual import Counterfactual as Counterfactual
 from .counterfactual import Parted as Parted
 from .gap import Gap as Gap
 from .ranked import Ranked as Ranked
-from .wording import remainder_of, sentence_of, sure
+from .wording import remainder_of, sentence_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +101,7 @@ class Verdict:
         verdict: "effect", "parameters", "none", "ambiguous", "partial", "law", "unknown" or "interrupted".
         effects: what is missing, with its parameters; for "partial", what certainly explains a part of it,
             for "law" what is missing beside the law.
-        confidence: of each effect.
+        confidence: of each effect, how often one is there that is named so clearly.
         equivalent: (kind, site) of what these data cannot tell from one of them.
         next_experiment: the excitation that would tell them apart, in words.
         where: shares of the gap by site.
@@ -162,7 +162,7 @@ class Verdict:
     def assurance(self) -> str:
         """The confidence in each effect, in words."""
         pairs = zip(self.effects, self.confidence, strict=True)
-        return "; ".join(f"{told(*placed.key)}: {sure(confidence)}" for placed, confidence in pairs)
+        return "; ".join(f"{told(*placed.key)}: {confidence:.0%}" for placed, confidence in pairs)
 
     @property
     def remainder(self) -> str:

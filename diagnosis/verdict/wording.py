@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..criteria import MOST_CONFIDENCE_TOLD, WINDOW_SHARE_TOLD, WINDOWS_TOLD
+from ..criteria import WINDOW_SHARE_TOLD, WINDOWS_TOLD
 from ..effects.hypothesis import told
 from .gap import Gap
 
@@ -68,11 +68,6 @@ def _alike(verdict: Verdict) -> str:
     if len(verdict.effects) > 1 and others:
         return f" In the place of one of these, the data would allow {others} as well."
     return f" These data cannot tell it from {others}." if others else ""
-
-
-def sure(confidence: float) -> str:
-    """Return a confidence in per cent; nothing is certain."""
-    return f"{confidence:.0%}" if confidence < MOST_CONFIDENCE_TOLD else "> 99%"
 
 
 def left_of(gaps: Mapping[str, Gap]) -> str:

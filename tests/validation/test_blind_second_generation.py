@@ -257,3 +257,24 @@ def test_scores(blind: Any) -> None:
     assert rows["time for five records"].startswith("median 2.0 s")
     causes = {row[0]: row[1] for row in blind.score.by_cause(cases)}
     assert causes["begins: motion"].endswith("3/7")
+
+
+def test_how_sure_verdicts_are_is_held_against_how_often_they_are_right(blind: Any) -> None:
+    label = {"effects": [{"kind": "backlash", "answers": [["backlash", "shaft"]]}]}
+
+    def case(kind: str, confidence: float | None) -> Any:
+        effect = {"kind": kind, "site": "shaft", "confidence": confidence}
+        return blind.shared.measures.Scored(label, {"verdict": "effect", "effects": [effect]})
+
+    told = [
+        ("backlash", 0.95),
+        ("backlash", 0.97),
+        ("compliance", 0.94),
+        ("backlash", 0.5),
+        ("backlash", None),
+    ]
+    rows = blind.shared.measures.reliability([case(*one) for one in told])
+    assert [(row[0], row[1].split()[-1], row[2]) for row in rows] == [
+        ("confidence 0 to 0.6", "1/1", "0.5 told"),
+        ("confidence 0.9 to 0.99", "2/3", "0.9533 told"),
+    ]

@@ -309,6 +309,19 @@ def test_a_spring_with_play_has_elastic_flanks_and_no_part_more(damped: bool) ->
     assert type(scope["net"].coupling) is rotational.ElastoBacklash
 
 
+def test_a_spring_that_pushes_has_flanks_as_well() -> None:
+    (site,) = (site for site in sites_of(cart()) if site.path == "k2")
+    placed = Hypothesis(effect_of("backlash"), site, "backlash_1", {"eps": 1e-3})
+    assert [*placed.network_parameters.items()] == [("k2.b", 2e-3)]
+    assert (
+        str(placed.edits[0])
+        == 'net = net.with_values(**{"k2": ElastoBacklash(d=0.0, k=1000.0, s_rel0=0.0, b=0.002)})'
+    )
+    run = ia.simulate(edited(cart(), placed.edits), 0.5)
+    wanted = ia.simulate(cart().with_values(k2=ia.ElastoBacklash(k=1e3, d=0.0, b=2e-3)), 0.5)
+    assert run["two.s"] == pytest.approx(wanted["two.s"], abs=1e-12)
+
+
 def test_what_play_takes_off_a_spring_is_what_flanks_bear_less() -> None:
     s = np.linspace(-0.02, 0.02, 401)
     rest = np.zeros_like(s)
