@@ -184,20 +184,27 @@ def _single(lengths: Array, A: Array, scale: Array) -> tuple[Array, Array, Array
     return maps, here, there
 
 
-def _exponential(Z: Array) -> tuple[Array, Array, Array]:
-    """Return e^Z, (e^Z - 1)/Z and (e^Z - 1 - Z)/Z^2; where Z is large, by a rational function.
+def _exponential(Z: Array) -> Array:
+    """Return e^Z, (e^Z - 1)/Z and (e^Z - 1 - Z)/Z^2; where Z is large, by a rational function."""
+    size = np.sqrt(np.einsum("kij,kij->k", Z, Z))
+    doublings = np.ceil(np.log2(np.maximum(size / SUMMED, 1.0)))
+    stiff = doublings > DOUBLINGS
+    if not np.any(stiff):
+        return _doubled(Z, doublings)
+    found: Array = np.empty((3, *Z.shape))
+    found[:, stiff], found[:, ~stiff] = _rational(Z[stiff]), _doubled(Z[~stiff], doublings[~stiff])
+    return found
 
-    The last is summed for a part of Z, and doubled from there: it is a quarter of the second's square and
-    half of itself before.
+
+def _doubled(Z: Array, doublings: Array) -> Array:
+    """Return the same, the last summed for a part of Z, and doubled so many times from there.
+
+    It is then a quarter of the second's square and half of itself before.
 
     Source: B. Skaflestad, W. M. Wright, The scaling and modified squaring method for matrix functions related
     to the exponential, Applied Numerical Mathematics 59 (2009) 783-799.
     """
-    one, size = np.eye(Z.shape[1]), np.sqrt(np.einsum("kij,kij->k", Z, Z))
-    doublings = np.ceil(np.log2(np.maximum(size / SUMMED, 1.0)))
-    stiff = doublings > DOUBLINGS
-    doublings = np.where(stiff, 0, doublings)
-    part = np.where(stiff, 0.0, 0.5**doublings)[:, None, None] * Z
+    one, part = np.eye(Z.shape[1]), 0.5 ** doublings[:, None, None] * Z
     second = _series(part)
     first = one + part @ second
     for number in range(int(doublings.max(initial=0))):
@@ -205,10 +212,7 @@ def _exponential(Z: Array) -> tuple[Array, Array, Array]:
         second[on] = 0.25 * first[on] @ first[on] + 0.5 * second[on]
         part[on] *= 2
         first[on] = one + part[on] @ second[on]
-    found = one + Z @ first
-    if np.any(stiff):
-        found[stiff], first[stiff], second[stiff] = _rational(Z[stiff])
-    return found, first, second
+    return np.stack([one + Z @ first, first, second])
 
 
 def _series(Z: Array) -> Array:
@@ -225,11 +229,12 @@ def _rational(Z: Array) -> Array:
     left = one - 0.6 * Z + 0.15 * Z2 - Z2 @ Z / 60
     right = one + 0.4 * Z + 0.05 * Z2, one - 0.1 * Z + Z2 / 60, one / 2 - 2 / 15 * Z + Z2 / 60
     try:
-        return np.asarray([np.linalg.solve(left, part) for part in right], dtype=float)
+        found = np.linalg.solve(left, np.concatenate(right, axis=2))
     except np.linalg.LinAlgError:
         raise SimulationError(
             "slopes along the run are beyond what can be followed between its points"
         ) from None
+    return np.asarray(np.split(found, 3, axis=2), dtype=float)
 
 
 def _repeated(points: Points, A: Array, scale: Array) -> tuple[Array, Array, Array]:

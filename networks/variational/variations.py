@@ -42,9 +42,9 @@ class Variations:
 
         d(dx)/dt = A dx + B dp,   dy = C dx + D dp,
 
-    integrated from point to point by the exponential of the mean of A, with B dp straight between the points
-    (where it is stiff, by Radau IIA of order 5). Where modes switch at
-    g = 0, the instant moves by dt = -dg/g', and with R the slope of the reset the state by
+    integrated from point to point by the exponential of the mean of A (where it is stiff, as Radau IIA of
+    order 5 does), with B dp straight between the points. Where modes switch at g = 0, the instant moves by
+    dt = -dg/g', and with R the slope of the reset the state by
 
         dx+ = R (dx- + x'- dt) - x'+ dt.
 
