@@ -79,12 +79,15 @@ def wilson(hits: int, count: int, z: float = 1.959964) -> tuple[float, float]:
 def share(
     measure: str, cases: Sequence[Scored], hit: Callable[[Scored], bool], target: str
 ) -> tuple[str, str, str]:
-    hits = sum(hit(c) for c in cases)
-    if not cases:
-        return measure, "-", target
-    low, high = wilson(hits, len(cases))
-    figure = f"{hits / len(cases):6.1%}  [{low:.1%}, {high:.1%}]  {hits}/{len(cases)}"
-    return measure, figure, target
+    return measure, _figure([hit(c) for c in cases]), target
+
+
+def _figure(hits: Sequence[bool]) -> str:
+    """Return a share with its interval, and of how many."""
+    if not hits:
+        return "-"
+    low, high = wilson(sum(hits), len(hits))
+    return f"{sum(hits) / len(hits):6.1%}  [{low:.1%}, {high:.1%}]  {sum(hits)}/{len(hits)}"
 
 
 def is_outside(case: Scored) -> bool:
@@ -114,12 +117,11 @@ def reliability(cases: Sequence[Scored]) -> list[tuple[str, str, str]]:
     ]
     rows = []
     for low, high in pairwise(CONFIDENCES):
-        there = [right for sure, right in told if low <= sure < high]
-        if there:
-            mean = sum(sure for sure, _ in told if low <= sure < high) / len(there)
-            least, most = wilson(sum(there), len(there))
-            figure = f"{sum(there) / len(there):6.1%}  [{least:.1%}, {most:.1%}]  {sum(there)}/{len(there)}"
-            rows.append((f"confidence {low:.4g} to {min(high, 1.0):.4g}", figure, f"{mean:.4g} told"))
+        some = [(sure, right) for sure, right in told if low <= sure < high]
+        if some:
+            mean = sum(sure for sure, _ in some) / len(some)
+            name = f"confidence {low:.4g} to {min(high, 1.0):.4g}"
+            rows.append((name, _figure([right for _, right in some]), f"{mean:.4g} told"))
     return rows
 
 

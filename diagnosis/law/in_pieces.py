@@ -88,7 +88,7 @@ class InPieces:
     def cut_by_effect(self, one: Candidate) -> Study | None:
         """Return the records in pieces that an effect follows."""
         effect = Hypothesis(one.effect, one.site, f"{one.effect.kind}_1", one.values)
-        law = self.law if self.law and one.effect.is_static else self.missing.law(("position",))
+        law = self.law if self.law and one.effect.is_static else self.missing.by_position
         return self._cut(effect, one.parameters, law)
 
     def cut_by_law(self) -> Study | None:
@@ -97,8 +97,7 @@ class InPieces:
 
     def sought(self, pieces: Study, base: Refit) -> Sought | None:
         """Return what comes of the law in pieces of the records, held against a model in them."""
-        if self.law is None:
-            return None
+        assert self.law is not None
         try:
             found = polished(pieces, self.law)
         except InertanceError:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -111,6 +112,11 @@ class MissingForce:
         """
         even = [(one, np.linspace(one.time[0], one.time[-1], len(one.time))) for one in self.records]
         return spans([(one.record, t, np.interp(t, one.time, one.force) ** 2) for one, t in even])
+
+    @cached_property
+    def by_position(self) -> Law:
+        """The law of it over position."""
+        return self.law(("position",))
 
     def law(self, variables: Sequence[str] | None = None) -> Law:
         """Return what the force depends on, and how.

@@ -14,7 +14,6 @@ from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from ..search.score_test import Candidate
 from .along import Beside
-from .law import Law
 from .missing_force import MissingForce
 from .pieces import Follower
 
@@ -24,7 +23,7 @@ def sized(study: Study, missing: MissingForce, likely: Sequence[Candidate]) -> l
 
     The gain that they were likened with is told of what they take off the distance of those runs.
     """
-    runs = _ShortRuns(study, missing, missing.law(("position",)))
+    runs = _ShortRuns(study, missing)
     return sorted((runs.sized(one) for one in likely), key=lambda one: -one.gain)
 
 
@@ -42,7 +41,6 @@ class _ShortRuns:
 
     study: Study
     missing: MissingForce
-    law: Law
 
     def sized(self, likely: Candidate) -> Candidate:
         """Return an effect with the size that brings them nearest."""
@@ -61,7 +59,7 @@ class _ShortRuns:
     def distance(self, one: Candidate) -> float:
         """Return how far they are from the machine with an effect."""
         placed = Hypothesis(one.effect, one.site, f"{one.effect.kind}_1", one.values)
-        follower = Follower.of(self.study, self.missing, self.law, placed, one.parameters)
+        follower = Follower.of(self.study, self.missing, self.missing.by_position, placed, one.parameters)
         runs = self.missing.settled.runs
         missed = [each for run in runs for each in _missed(follower, run, -(-SIZED_BEGINS // len(runs)))]
         return float(np.mean(np.log1p((np.concatenate(missed) / SIZED_NEAR) ** 2)))

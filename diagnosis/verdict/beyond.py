@@ -12,7 +12,6 @@ from ..law.likened import likened
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit
-from ..search.score_test import Candidate
 from ..search.tried import without
 from .counterfactual import Foretold, counterfactuals
 from .decide import OPEN_END, closed_by
@@ -72,15 +71,10 @@ def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
         tried = Named.of(pieces, evidence, [*listed.values()], replace(evidence.refit, starts=()))
         if tried.best is None:
             break
-        chosen = _as_fitted(tried.best)
-        listed[chosen.label] = chosen
+        last, given = tried.best.effects[-1], tried.best.parameters
+        chosen = replace(listed[last.label], values=dict(last.values), parameters=given, sized=True)
+        listed[last.label] = chosen
     return None if tried is None else tried.verdict([_told(inside.study, tried.study)])
-
-
-def _as_fitted(model: Refit) -> Candidate:
-    """Return the last effect of a model, to be fitted from there."""
-    last = model.effects[-1]
-    return Candidate(last.effect, last.site, dict(last.values), model.cost, 1.0, model.parameters, sized=True)
 
 
 def _law_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:

@@ -40,10 +40,15 @@ class Named:
         go_on(study, done, listed, near)
         return cls(study, evidence, done, taken(done, base))
 
+    @property
+    def explained(self) -> bool:
+        """Whether the best explains what is missing."""
+        return self.best is not None and explains(self.best, self.evidence.refit, self.study)
+
     def stands_for(self, model: Refit) -> bool:
         """Tell whether the best explains what is missing, and leaves about as little as a model."""
         base = self.evidence.refit
-        if self.best is None or not explains(self.best, base, self.study):
+        if self.best is None or not self.explained:
             return False
         if self.best.is_noise(self.study.judged):
             return True
@@ -55,6 +60,6 @@ class Named:
         base = self.evidence.refit
         if self.best is None:
             return None
-        if not explains(self.best, base, self.study) and gap_taken(self.best, base) < CERTAIN_GAP_SHARE:
+        if not self.explained and gap_taken(self.best, base) < CERTAIN_GAP_SHARE:
             return None
         return decided(self.study, self.evidence.nominal, base, self.best, [self.done], notes, Rivals())
