@@ -114,7 +114,7 @@ class Beside:
         allowed = np.maximum(LOST_SHARE * moved.std(axis=1), LOST_STANDARD_DEVIATIONS)
         if missed is not None:
             allowed = np.minimum(allowed, np.maximum(LOST_GAP_SHARE * missed, LOST_LEAST))
-        return before(np.asarray((np.abs(self.left) > allowed).any(axis=1)))
+        return samples_before(np.asarray((np.abs(self.left) > allowed).any(axis=1)))
 
     def answers(self, number: int, forces: Array) -> Array:
         """Return what forces at a site change, in units of noise.
@@ -189,7 +189,7 @@ class Beside:
         return Begin(start, {name: prior.at(part) for (name, prior), part in parts})
 
 
-def before(away: Flags) -> int:
+def samples_before(away: Flags) -> int:
     """Return the number of samples before a run is away for some of them in a row, not just a late impact."""
     later = len(away) - LOST_SAMPLES + 1
     lost = np.all([away[number : number + later] for number in range(LOST_SAMPLES)], axis=0)

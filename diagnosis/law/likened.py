@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from ..search.score_test import Candidate
 from .law import Law
 from .missing_force import MissingForce
 from .regression import apart
+
+MOVING = "t", "s", "v", "f", "a"  # what a motion tells at its points
 
 
 def likened(missing: MissingForce, law: Law | None, base: Refit) -> list[Candidate]:
@@ -40,7 +43,7 @@ def _likened_across(law: Law, base: Refit) -> Iterator[Candidate]:
     for effect in EFFECTS.values():
         if not effect.is_static or not effect.may_act(site):
             continue
-        fit = _across(effect, site, motions, forces)
+        fit = _Fit(effect, site, motions, forces)
         widest = max(fit.motions, key=lambda m: m.travel)
         tried = [fit.of(shape) for shape in effect.shaped(site.domain, widest)]
         values, share = fit.refined(max(tried, key=lambda one: one[1]))
@@ -53,14 +56,13 @@ def _likened_in_series(missing: MissingForce, base: Refit) -> Iterator[Candidate
     settled = missing.settled
     motions = [run.motion(settled.number) for run in settled.runs]
     site, every = scaled(missing.site, motions, None), _few(motions)
-    motions = [_at(m, every) for m in motions]
     wanted = -np.concatenate([force.values[every] for force in settled.forces])
-    moved = np.concatenate([np.column_stack([m.s, m.v, np.ones(len(m.s))]) for m in motions])
-    borne = np.concatenate([m.f for m in motions])
-    stiffness, _, preload = np.linalg.lstsq(moved, borne, rcond=None)[0].tolist()
+    whole = _joined([_at(m, every) for m in motions])
+    moved = np.column_stack([whole.s, whole.v, np.ones(len(whole.s))])
+    stiffness, _, preload = np.linalg.lstsq(moved, whole.f, rcond=None)[0].tolist()
     if stiffness <= 0:
         return
-    whole = replace(motions[0], s=moved[:, 0] + preload / stiffness, v=moved[:, 1], f=borne)
+    whole = replace(whole, s=whole.s + preload / stiffness)
     for effect in EFFECTS.values():
         if effect.eased is None or not effect.may_act(site):
             continue
@@ -121,28 +123,26 @@ def _force(effect: Effect, site: Site, motion: Motion, values: Values) -> Array:
 
 def _at(motion: Motion, points: slice) -> Motion:
     """Return a motion at some of its points."""
-    names = ("t", "s", "v", "f", "a")
-    return replace(motion, **{name: getattr(motion, name)[points] for name in names})
+    return replace(motion, **{name: getattr(motion, name)[points] for name in MOVING})
 
 
-def _across(effect: Effect, site: Site, motions: Sequence[Motion], forces: Sequence[Array]) -> _Fit:
-    force = np.concatenate(forces)
-    told = np.concatenate([m.s for m in motions]), force - force.mean()
-    about = [replace(effect.about(m, site), missed=told) for m in motions]
-    return _Fit(
-        effect, site.domain, about, force, np.concatenate([np.column_stack([m.s, m.v]) for m in about])
-    )
+def _joined(motions: Sequence[Motion]) -> Motion:
+    """Return the points of several motions one after another."""
+    whole: dict[str, Any] = {name: np.concatenate([getattr(m, name) for m in motions]) for name in MOVING}
+    return replace(motions[0], **whole)
 
 
 class _Fit:
-    """Values of an effect with which it is most like something along motions, beside what is linear."""
+    """Values of an effect with which it is most like a force along motions, beside what is linear."""
 
     def __init__(
-        self, effect: Effect, domain: str, motions: Sequence[Motion], wanted: Array, linear: Array
+        self, effect: Effect, site: Site, motions: Sequence[Motion], forces: Sequence[Array]
     ) -> None:
-        self.effect, self.domain, self.motions = effect, domain, motions
-        self.wanted, self.linear = wanted, linear
-        self.all_of_it = self._left(np.zeros((len(wanted), 0)), np.zeros(0))[1] or 1.0
+        self.effect, self.domain, self.wanted = effect, site.domain, np.concatenate(forces)
+        told = np.concatenate([m.s for m in motions]), self.wanted - self.wanted.mean()
+        self.motions = [replace(effect.about(m, site), missed=told) for m in motions]
+        self.linear = np.concatenate([np.column_stack([m.s, m.v]) for m in self.motions])
+        self.all_of_it = self._left(np.zeros((len(self.wanted), 0)), np.zeros(0))[1] or 1.0
 
     def of(self, shape: Values) -> tuple[dict[str, float], float]:
         """Return sizes with a shape, and the share of the square of what is wanted that they have."""

@@ -24,7 +24,7 @@ from ..criteria import (
 )
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from .along import Bench, Beside, before
+from .along import Bench, Beside, samples_before
 from .law import Law
 from .missing_force import MissingForce
 from .regression import own_of
@@ -65,16 +65,19 @@ class Follower:
         if not goes_along(along):
             return kept
         there = along.motion(self.site).s[along.found.at][begin : begin + len(run.found.at)]
-        return min(kept, before(np.abs(run.motion(self.site).s[run.found.at] - there) > self.within))
+        away = np.abs(run.motion(self.site).s[run.found.at] - there)
+        return min(kept, samples_before(away > self.within))
 
     def spread(self, along: Beside, count: int, most: int) -> Iterator[tuple[int, Experiment]]:
         """Yield where parts begin that are spread over a record, and those, of so many samples at most.
 
-        They begin as the machine did.
+        They begin as the machine did, and share no instant but where they meet; a short record has few.
         """
         time = along.experiment.compared.time
-        most = min(most, max((len(time) - 1) // count, 2 * PIECE_SAMPLES), len(time) - 1)
-        for begin in np.linspace(0, len(time) - 1 - most, count).astype(int).tolist():
+        last = len(time) - 1
+        count = max(1, min(count, last // (2 * PIECE_SAMPLES)))
+        most = min(most, last // count)
+        for begin in np.linspace(0, last - most, count).astype(int).tolist():
             yield begin, along.experiment.part(begin, begin + most, _motion(along, float(time[begin]), self))
 
 

@@ -1,5 +1,6 @@
 """Play behind a stiff screw: a machine that rattles, which no free run follows for long."""
 
+from itertools import pairwise
 from typing import Any
 
 import inertance as ia
@@ -7,8 +8,10 @@ import numpy as np
 import pytest
 from inertance import rotational
 from inertance.diagnosis import Verdict
+from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.law.likened import likened
 from inertance.diagnosis.law.missing_force import force_of
+from inertance.diagnosis.law.pieces import Follower
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
@@ -99,3 +102,57 @@ def test_play_is_named_by_pieces_of_the_records(verdict: Verdict) -> None:
     assert placed.values["eps"] == pytest.approx(EPS, rel=0.05)
     assert verdict.closed > 0.9
     assert "pieces of 4 records" in str(verdict)
+
+
+def test_parts_of_a_record_share_no_instant(study: Study, base: Refit) -> None:
+    """However many are asked for, none is judged by what another one is."""
+    missing = force_of(study, base)
+    (play,) = (one for one in likened(missing, None, base) if one.effect.kind == "backlash")
+    placed = Hypothesis(play.effect, play.site, "backlash_1", play.values)
+    follower = Follower.of(study, missing, missing.by_position, placed, play.parameters)
+    along = missing.settled.runs[0]
+    for count, most in ((24, 500), (1000, 500), (1000, 10**6), (1, 10**6)):
+        parts = [(begin, len(part.compared.time)) for begin, part in follower.spread(along, count, most)]
+        assert all(begin + length - 1 <= later for (begin, length), (later, _) in pairwise(parts))
+        assert 0 < len(parts) <= count
+
+
+def axis(play: float = 0.0, guide: float = 9.0) -> ia.Network:
+    """Return a nut that pushes a table by a stiff rod, which is 120 mm long at rest."""
+    made: dict[str, Any] = {"k": 2e5, "d": 20.0, "s_rel0": 0.12}
+    rod = ia.ElastoBacklash(b=2 * play, **made) if play else ia.SpringDamper(**made)
+    net = ia.Network("axis", frame=ia.Fixed(), nut=ia.Mass(m=0.9), rod=rod, table=ia.Mass(m=1.4))
+    net.add(guide=ia.Damper(d=guide), way=ia.Damper(d=7.0), push=ia.Force())
+    net.connect(net.frame.flange, net.guide.flange_a, net.way.flange_a)
+    net.connect(net.guide.flange_b, net.nut.flange, net.rod.flange_a, net.push.flange)
+    return net.connect(net.rod.flange_b, net.table.flange, net.way.flange_b)
+
+
+def test_play_of_a_rod_is_seen_through_its_length_an_offset_and_another_clock() -> None:
+    rng, seconds, play = np.random.default_rng(2), 6.0, 4e-4
+    shape = Multisine(rms=30.0, low=0.4, high=7.0, period=seconds + 1, seed=0)
+    force = sampled(shape, stop=seconds + 1, rate=RATE, fade=0.3)
+    t = np.asarray(force.time)
+    run = axis(play, 9.8).simulate(
+        seconds + 1, step=1 / RATE, inputs={"push.f": force}, start={"nut.s": 0.0, "table.s": 0.12},
+        rtol=1e-9, atol=1e-12,
+    )  # fmt: skip
+    speed = run.at("nut.v", t) + 3e-4 * rng.standard_normal(len(t))
+    place = run.at("table.s", t) + 7e-3 + 3e-5 * rng.standard_normal(len(t))
+    values = {"F": np.asarray(force.values), "v": speed, "x": place}
+    record = Record("run", t[t >= 1.0] - 3.0, {name: value[t >= 1.0] for name, value in values.items()})
+    channels = {
+        "F": {"input": "push.f", "unit": "N"},
+        "v": {"output": "nut.v", "unit": "m/s"},
+        "x": {"output": "table.s", "unit": "m"},
+    }
+    priors = {"guide.d": {"rel": 0.2}, "way.d": {"rel": 0.2}}
+    measured = Campaign(axis(), channels, priors, [{"record": record, "offset": ["x"]}], [])
+    study = Study(measured, Accuracy())
+    base = JointFit(study, measured.start).fitted()
+    missing = force_of(study, base)
+    assert missing.site.path == "rod"
+    assert missing.misfit < 1.0 < missing.before
+    likest = likened(missing, None, base)[0]
+    assert likest.effect.kind == "backlash"
+    assert likest.values["eps"] == pytest.approx(play, rel=0.05)
