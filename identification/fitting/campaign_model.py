@@ -198,7 +198,7 @@ class RecordModel:
         foresee(self.dae, accuracy.foreseen)
         try:
             run = self._simulate(
-                float(time[-1]), begin=float(time[0]), step=step, guess=given,
+                float(time[-1]), begin=float(time[0]), step=step, start=given,
                 parameters=self.experiment.given(parameters),
                 solver=accuracy.solver, rtol=accuracy.rtol, atol=accuracy.atol, max_steps=steps * len(time),
             )  # fmt: skip

@@ -87,9 +87,15 @@ class StartValues:
     fixed: dict[int, tuple[str, float]]
     guesses: dict[int, float]
 
+    def giving_way(self) -> StartValues:
+        """Return the same with what was fixed as guesses, behind those there are."""
+        return StartValues({}, {v: value for v, (_, value) in self.fixed.items()} | self.guesses)
+
 
 def start_values(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float]) -> StartValues:
     """Gather start values from components and from the run (which goes first).
+
+    Where the run fixes every state, it leaves components nothing to fix.
 
     Raises:
         ModelError: for unknown names.
@@ -97,7 +103,8 @@ def start_values(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float
     """
     _check_names(dae, {**start, **guess})
     from_run = {dae.root(name)[0] for name in start}
-    given = {name: v for name, v in _given(dae) if dae.root(name)[0] not in from_run}
+    everywhere = from_run.issuperset(dae.states)
+    given = {n: v for n, v in _given(dae) if not everywhere and dae.root(n)[0] not in from_run}
     fixed: dict[int, tuple[str, float]] = {}
     clashes = []
     for name, value in {**given, **start}.items():

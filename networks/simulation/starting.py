@@ -97,13 +97,16 @@ def states_at_start(
 ) -> Array:
     """Return the states with which a run from `time` [s] on begins; see `simulate` for the arguments.
 
+    What is guessed tells how this run began: values that components fix give way to it.
+
     Raises:
         InitialConditionError: for start values that contradict each other.
     """
     closed = bound(dae, inputs)
     check_covered(dae.name, closed.signals, time, time)
     numbers = dae.parameters.values(dict(parameters))
-    found = begun(closed, closed.blank(numbers), time, start_values(dae, {}, guess))
+    wanted = start_values(dae, {}, guess)
+    found = begun(closed, closed.blank(numbers), time, wanted.giving_way() if guess else wanted)
     return found.initial.values.copy()
 
 

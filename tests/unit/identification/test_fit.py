@@ -89,6 +89,21 @@ def test_offset_and_start_are_found_with_the_parameters() -> None:
         assert abs(found.values[name] - true) < 3.5 * found.errors[name]
 
 
+@pytest.mark.parametrize("fixed", [{"s": 0.05}, {"s": -0.01, "v": 0.3}, {"a": 9.0}])
+@pytest.mark.parametrize("shooting", [None, 0.5])
+def test_where_a_record_begins_does_not_hang_on_what_the_model_fixes(
+    fixed: dict[str, float], shooting: float | None
+) -> None:
+    record = measured(Chirp(4e-3, 0.5, 6.0, 2.0), "pulled", pulled=5e-3)
+    train = [{"record": record} if shooting is None else {"record": record, "shooting": shooting}]
+    model = rig().with_values(mass=ia.Mass(m=2.0, **fixed))
+    found = ia.fit(Campaign(model, CHANNELS, PARAMETERS, train=train))
+    for name, true in TRUTH.items():
+        assert abs(found.values[name] - true) < 3.5 * found.errors[name]
+    (compared,) = found.comparisons
+    assert compared.rms("F", compared.after) == pytest.approx(0.05, rel=0.1)
+
+
 def test_stages_fit_what_they_are_told_and_pass_it_on() -> None:
     stage: list[dict[str, Any]] = [
         {"parameters": ["rub.friction.f_c", "spring.k"], "filter": {"cutoff": 4.0, "order": 4}},
