@@ -61,6 +61,13 @@ class Course:
         to_x, to_f, columns = self.to_x[kept], self.to_f[kept], self.columns[kept]
         return Course(self.t[kept], map, here, there, to_x, to_f, columns, self.shared, self.priors)
 
+    def held(self, moved: Array) -> Course:
+        """Return it with what all records share held so far from the centers of its priors."""
+        end = 1 + self.shared
+        first = self.columns[:, :, :1] - (self.columns[:, :, 1:end] @ moved)[:, :, None]
+        columns = np.concatenate([first, self.columns[:, :, end:]], axis=2)
+        return replace(self, columns=columns, shared=0)
+
     def beside(self, count: int) -> Course:
         """Return it with its sites so many times over."""
         here, there, to_f = (np.tile(part, (1, 1, count)) for part in (self.here, self.there, self.to_f))

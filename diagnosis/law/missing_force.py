@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from ...base import Array, computing
 from ...components import ModelError, nearest
-from ..criteria import PART_CHI_SQUARED
+from ..criteria import FORCE_SUFFICES, PART_CHI_SQUARED
 from ..effects.effect import Motion
 from ..effects.sites import Site
 from ..models.study import Study
@@ -155,9 +155,20 @@ class MissingForce:
 
 @computing("the search for the missing force")
 def force_of(study: Study, refit: Refit, site: str | None = None) -> MissingForce:
-    """Return the missing force in a study, sought from where its parameters alone lead."""
-    search = Search(study, refit)
-    ranked, settled = search.best(_number(search, site))
+    """Return the missing force in a study, sought from where its parameters alone lead.
+
+    Where more than noise is left so, it is also sought from where they were given: parameters that stood in
+    for a force may have gone far.
+    """
+    first = Search(study, refit)
+    number = _number(first, site)
+    search, ranked, settled = first, *first.best(number)
+    if settled.misfit > FORCE_SUFFICES:
+        given = study.campaign.start
+        other = Search(study, replace(refit, parameters=given, starts=[{} for _ in refit.starts]))
+        again = other.best(number)
+        if again[1].misfit < settled.misfit:
+            search, ranked, settled = other, *again
     most = max(evidence for _, evidence, _ in ranked)
     records = tuple(
         ForceOverTime(run.experiment.name, force.t, force.values, error.values, run.motion(settled.number))
@@ -170,7 +181,7 @@ def force_of(study: Study, refit: Refit, site: str | None = None) -> MissingForc
         records,
         dict(settled.given),
         settled.misfit,
-        search.misfit,
+        first.misfit,
         search,
         settled,
     )

@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 
 from ...base import Array
 from ...components import ModelError, SimulationError
-from ..criteria import FORCE_HALVINGS, FORCE_PARAMETER_STEP, FORCE_RUNS, FORCE_SETTLED, FORCE_SIZE_RATIO
+from ..criteria import (
+    FORCE_HALVINGS,
+    FORCE_MOST_RUNS,
+    FORCE_PARAMETER_STEP,
+    FORCE_RUNS,
+    FORCE_SETTLED,
+    FORCE_SIZE_RATIO,
+    FORCE_WON_SHARE,
+)
 from ..models.force import Force
 from ..models.study import Study
 from ..search.model_comparison import Refit
@@ -29,7 +38,6 @@ class Settled:
         rough: how fast the force changes.
         runs: one of each record.
         forces, errors: with standard errors, at the points of each run.
-        evidence: logarithm of the likelihood.
     """
 
     number: int
@@ -38,7 +46,6 @@ class Settled:
     runs: tuple[Beside, ...]
     forces: tuple[Force, ...]
     errors: tuple[Force, ...]
-    evidence: float
 
     @property
     def misfit(self) -> float:
@@ -52,13 +59,7 @@ class Settled:
 
     def beside(self, moved: Array) -> list[Array]:
         """Return the force along the runs if the parameters are so far from the centers of their priors."""
-        courses = []
-        for run in self.runs:
-            course = run.course([self.number])
-            columns, end = course.columns, 1 + course.shared
-            first = columns[:, :, :1] - (columns[:, :, 1:end] @ moved)[:, :, None]
-            kept = np.concatenate([first, columns[:, :, end:]], axis=2)
-            courses.append(replace(course, columns=kept, shared=0))
+        courses = [run.course([self.number]).held(moved) for run in self.runs]
         force, _ = smoothed(filtered(courses, self.rough))
         return [force[: len(course.t), place, 0] for place, course in enumerate(courses)]
 
@@ -142,18 +143,20 @@ class Search:
     def settled(self, number: int, rough: Roughness, runs: Sequence[Beside] | None = None) -> Settled:
         """Return the force at a site along the motion that it makes, run after run until it stays."""
         here = list(runs or self.nominal)
-        size, best = rough.size / FORCE_SIZE_RATIO, None
-        for count in range(FORCE_RUNS):
+        size, best, before = rough.size / FORCE_SIZE_RATIO, None, inf
+        for count in range(FORCE_MOST_RUNS):
             courses = [beside.course([number]) for beside in here]
             if count in (1, 2):
                 (rough,) = likeliest(courses, size, [rough.order])
             passed = filtered(courses, rough)
             promised = float(np.sqrt(passed.chi_squared[0] / sum(run.residual.size for run in here)))
-            found = self._moved_on(number, here, courses[0].shared, passed, rough)
+            found = self._moved_on(number, here, passed)
             here = list(found.runs)
             best = found if best is None or found.misfit < best.misfit else best
-            if best.misfit < FORCE_SETTLED * promised:
+            stays = count >= FORCE_RUNS and found.misfit > FORCE_WON_SHARE * before
+            if best.misfit < FORCE_SETTLED * promised or stays:
                 break
+            before = found.misfit
         assert best is not None
         return best
 
@@ -166,31 +169,42 @@ class Search:
         courses = [beside.course([number]) for beside in here]
         size = np.array([found.rms]) / FORCE_SIZE_RATIO
         tried = [(filtered(courses, rough), rough) for rough in likeliest(courses, size)]
-        passed, rough = max(tried, key=lambda one: float(one[0].evidence[0]))
-        return self._moved_on(number, here, courses[0].shared, passed, rough)
+        passed, _ = max(tried, key=lambda one: float(one[0].evidence[0]))
+        return self._moved_on(number, here, passed)
 
-    def _moved_on(
-        self, number: int, here: Sequence[Beside], shared: int, passed: Filtered, rough: Roughness
-    ) -> Settled:
-        """Return the force that a filter has passed along runs, and the runs that it makes."""
+    def _moved_on(self, number: int, here: Sequence[Beside], passed: Filtered) -> Settled:
+        """Return the force that a filter has passed along runs, and the runs that it makes.
+
+        Where parameters would go farther than slopes hold, it is the force beside those that go as far.
+        """
+        courses, rough = passed.courses, passed.roughness
+        given = self._given(here[0].given, passed.unknown[0, 0, : courses[0].shared])
+        moved = (np.array([*given.values()]) - self.bench.centers) / self.bench.scales
+        if not np.allclose(moved, passed.unknown[0, 0, : courses[0].shared]):
+            passed = filtered([course.held(moved) for course in courses], rough)
         forces, errors = (
             [Force(beside.t, part[: len(beside.t), place, 0]) for place, beside in enumerate(here)]
             for part in smoothed(passed)
         )
-        after = self._after(number, here, forces, passed.unknown[:, 0], shared)
-        evidence = float(passed.evidence[0])
-        return Settled(number, after[0].given, rough, tuple(after), tuple(forces), tuple(errors), evidence)
+        own = passed.unknown[:, 0, passed.courses[0].shared :]
+        after = self._after(number, here, forces, given, own)
+        return Settled(number, given, rough, tuple(after), tuple(forces), tuple(errors))
 
     def _after(
-        self, number: int, runs: Sequence[Beside], forces: Sequence[Force], unknown: Array, shared: int
+        self,
+        number: int,
+        runs: Sequence[Beside],
+        forces: Sequence[Force],
+        given: Mapping[str, float],
+        own: Array,
     ) -> list[Beside]:
         """Return runs with forces, or with so much of the change that they can be run."""
-        given, error = self._given(runs[0].given, unknown[0]), None
+        error = None
         for _ in range(FORCE_HALVINGS):
             try:
                 return [
-                    self.bench.run(run.experiment, given, run.began(own, shared), number, force)
-                    for run, own, force in zip(runs, unknown, forces, strict=True)
+                    self.bench.run(run.experiment, given, run.began(begun, 0), number, force)
+                    for run, begun, force in zip(runs, own, forces, strict=True)
                 ]
             except SimulationError as told:
                 error = told
@@ -205,7 +219,7 @@ class Search:
     def _given(self, before: Mapping[str, float], unknown: Array) -> dict[str, float]:
         """Return parameters on their way to what a smoother found of them, no farther than slopes hold."""
         given = {}
-        for name, away in zip(self.bench.names, unknown.tolist(), strict=False):
+        for name, away in zip(self.bench.names, unknown.tolist(), strict=True):
             prior = self.study.campaign.priors[name]
             at = (before[name] - prior.center) / prior.scale
             low, high = min(at - FORCE_PARAMETER_STEP, 0.0), max(at + FORCE_PARAMETER_STEP, 0.0)
