@@ -33,15 +33,17 @@ class Axis:
     smooth: bool = False
 
     @classmethod
-    def over(cls, variable: str, motions: Sequence[Motion], pair: bool, finer: int = 1) -> Axis:
-        """Return the axis that spans what was visited; points of speed lie close about rest.
+    def over(
+        cls, variable: str, motions: Sequence[Motion], pair: bool, finer: int = 1, even: bool = False
+    ) -> Axis:
+        """Return the axis that spans what was visited; points of speed lie close about rest, or all `even`.
 
         It has so many times as many points as usual.
         """
         values = np.concatenate([along(motion, variable) for motion in motions])
         low, high = float(values.min()), float(values.max())
         count = finer * (LAW_POINTS_OF_PAIRS if pair else LAW_POINTS)[VARIABLES.index(variable)]
-        if variable == "speed" and low < 0 < high:
+        if variable == "speed" and low < 0 < high and not even:
             most = max(-low, high)
             widest, slow = np.arcsinh(1 / LAW_SLOW_SHARE), most * LAW_SLOW_SHARE
             points = slow * np.sinh(np.linspace(-widest, widest, count | 1))

@@ -24,7 +24,7 @@ from ..effects.effect import Motion
 from ..effects.sites import Site
 from .along import Beside
 from .axes import UNITS, VARIABLES, Axis, Grid
-from .regression import Fitted, Tallies, fitted, moved
+from .regression import NOTHING, Fitted, Tallies, fitted, moved
 from .search import Settled
 from .traits import traits_of
 
@@ -227,19 +227,27 @@ class Drawing:
         mean = sum(m.distance * float(np.ptp(m.t)) for m in motions) / lasting
         self.origin = float(resting[0].s[0]) if resting else mean
         self.motions = [moved(run, number, self.origin) for run in runs]
-        self.nothing = fitted(Tallies.of(runs, number, None), None)
+        nothing = Tallies.of(runs, number, None)
+        self.nothing, self.counts = fitted(nothing, None), nothing.independent
 
-    def grid(self, variables: Sequence[str], finer: int = 1) -> Grid:
+    def grid(self, variables: Sequence[str], finer: int = 1, even: bool = False) -> Grid:
         """Return the points of a law over variables."""
-        return Grid(tuple(Axis.over(name, self.motions, len(variables) > 1, finer) for name in variables))
+        pair = len(variables) > 1
+        return Grid(tuple(Axis.over(name, self.motions, pair, finer, even) for name in variables))
 
     def tallies(self, grid: Grid) -> Tallies:
         """Return what there is to fit a law by."""
         return Tallies.of(self.runs, self.number, grid, self.origin)
 
     def fitted(self, variables: Sequence[str]) -> Fitted:
-        """Return the law over variables; of position with as many points as its waves take."""
+        """Return the law over variables.
+
+        Of position it has as many points as its waves take; of speed points about rest if there is a step.
+        """
         found = self._fitted(self.grid(variables))
+        if tuple(variables) == ("speed",):
+            even = self._fitted(self.grid(variables, even=True))
+            return found if self._clearly(found, even) else even
         for finer in LAW_MANY_TIMES if tuple(variables) == ("position",) else ():
             if found.foreseen <= LAW_RESOLVED * self.left:
                 break
@@ -257,11 +265,14 @@ class Drawing:
         return max(self.share(self.fitted(variables)) for variables in STATIC)
 
     def share(self, law: Fitted) -> float:
-        """Return the share of what is missing that a law foresees."""
-        floor = min(self.left, self.nothing.foreseen) ** 2
-        if self.nothing.foreseen**2 <= floor:
-            return 0.0
-        return 1 - (law.foreseen**2 - floor) / (self.nothing.foreseen**2 - floor)
+        """Return the share of what is missing that a law foresees; none in a fold where it errs by more.
+
+        Such a fold may hold the only motion through a part of the range.
+        """
+        floor, missing = self.left**2, self.nothing.squares
+        all_of_it = float(self.counts @ np.maximum(missing - floor, 0.0))
+        foreseen = float(self.counts @ np.maximum(missing - np.maximum(law.squares, floor), 0.0))
+        return foreseen / all_of_it if all_of_it else 0.0
 
     def law(
         self, variables: Sequence[str] | None = None, among: Sequence[tuple[str, ...]] | None = None
@@ -269,18 +280,22 @@ class Drawing:
         """Return the law over variables, or over the fewest that foresee nearly as much as any."""
         found: dict[tuple[str, ...], Fitted] = {}
         best: tuple[str, ...]
+
+        def likeness(one: tuple[str, ...]) -> float:
+            return self.share(found[one])
+
         if variables is not None:
             best = tuple(variables)
             found = {best: self.fitted(best)}
         elif among is not None:
             found = {one: self.fitted(one) for one in among}
-            best = min((one for one in found if len(one) == 1), key=lambda one: found[one].foreseen)
+            best = max((one for one in found if len(one) == 1), key=likeness)
             better = [p for p in found if len(p) == 2 and self._pays(found[p], found[best])]
-            best = min(better, key=lambda one: found[one].foreseen, default=best)
+            best = max(better, key=likeness, default=best)
         else:
             found = {(name,): self.fitted((name,)) for name in VARIABLES}
-            static = min((one for one in found if one in STATIC), key=lambda one: found[one].foreseen)
-            other = min(found, key=lambda one: found[one].foreseen)
+            static = max((one for one in found if one in STATIC), key=likeness)
+            other = max(found, key=likeness)
             best = other if self._pays(found[other], found[static]) else static
             known = best
             pairs: list[tuple[str, ...]] = [
@@ -289,7 +304,7 @@ class Drawing:
             found |= {pair: self.fitted(pair) for pair in pairs}
             for some in (STATIC, pairs):
                 better = [p for p in some if len(p) == 2 and self._pays(found[p], found[best])]
-                best = min(better, key=lambda one: found[one].foreseen, default=best)
+                best = max(better, key=likeness, default=best)
         fit = found[best]
         shares = {one: self.share(law) for one, law in found.items()}
         assert fit.grid is not None
@@ -301,12 +316,11 @@ class Drawing:
 
     def _pays(self, richer: Fitted, plain: Fitted) -> bool:
         """Tell whether a law takes away much of what a simpler one leaves, and clearly."""
-        floor = min(self.left, plain.foreseen) ** 2
-        less = richer.foreseen**2 - floor < LAW_PAIR_SHARE * (plain.foreseen**2 - floor)
-        more = self.share(richer) - self.share(plain) > LAW_LEAST_GAIN
-        return bool(less and more) and self._clearly(richer, plain)
+        more, enough = self.share(richer), self.share(plain)
+        less = 1 - more < LAW_PAIR_SHARE * (1 - enough)
+        return less and more - enough > LAW_LEAST_GAIN and self._clearly(richer, plain)
 
     def _clearly(self, better: Fitted, worse: Fitted) -> bool:
-        """Tell whether a law foresees clearly more than another one."""
-        drop = worse.squares - better.squares
+        """Tell whether a law foresees clearly more than another one, by ratios fold by fold."""
+        drop = np.log(np.maximum(worse.squares, NOTHING) / np.maximum(better.squares, NOTHING))
         return bool(drop.mean() > CLEAR_STANDARD_ERRORS * drop.std() / len(drop) ** 0.5)

@@ -13,6 +13,8 @@ from ..effects.effect import Motion
 from .along import Beside
 from .axes import Grid
 
+NOTHING = 1e-300  # of a fold that no run reaches
+
 
 @dataclass(frozen=True, eq=False)
 class Tallies:
@@ -181,9 +183,12 @@ def fitted(
 
 
 def _stiffest(squares: Array) -> int:
-    """Return the stiffest of the laws that foresee as well as the best, within a standard error."""
-    least = squares[int(np.argmin(squares.sum(axis=1)))]
-    worse = squares - least
+    """Return the stiffest of the laws that foresee as well as the best, within a standard error.
+
+    They are compared by ratios: in what goes from valley to valley one fold can outweigh all others.
+    """
+    logarithms = np.log(np.maximum(squares, NOTHING))
+    worse = logarithms - logarithms[int(np.argmin(logarithms.sum(axis=1)))]
     allowed = worse.std(axis=1) / worse.shape[1] ** 0.5
     return int(np.flatnonzero(worse.mean(axis=1) <= allowed).max())
 
