@@ -105,6 +105,11 @@ class Beside:
             residual[: self.until, free] -= residual[: self.until, free].mean(axis=0)
         return residual
 
+    @property
+    def squares(self) -> float:
+        """The sum of their squares."""
+        return float((self.left**2).sum())
+
     def followed(self, whole: Experiment, missed: Array | None = None) -> int:
         """Return the samples before it strays by a good part of what is seen in the record that it is of.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -14,6 +14,7 @@ from ..criteria import (
     LAW_FORESEEN_SHARE,
     LAW_RESOLVED,
     LIKENED_LEAST_GAIN,
+    LOST_LEAST,
     PIECE_ROUNDS,
     PIECE_WON_SHARE,
 )
@@ -25,7 +26,7 @@ from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
 from .along import Beside
 from .law import Law
-from .likened import likened
+from .likened import likened_across, likened_in_series
 from .missing_force import MissingForce, force_of
 from .pieces import Follower, cut
 from .polish import placed, polished
@@ -45,22 +46,19 @@ class InPieces:
         study: with whole records.
         model: in them.
         missing: the force.
-        law: that is foreseen, as pieces of the training records tell it; None if there is none.
-        listed: effects of the list that are like it, or like the force in series with a spring.
+        drawn: the law that foresees most of it.
         foreseen: how much of the force a law foresees, by site.
     """
 
     study: Study
     model: Refit
     missing: MissingForce
-    law: Law | None
-    listed: Sequence[Candidate]
+    drawn: Law
     foreseen: dict[str, float]
 
     @classmethod
-    @computing("the search for what records in pieces lack")
     def of(cls, study: Study, model: Refit, known: MissingForce | None = None) -> InPieces | None:
-        """Return it for a model; None where no law follows the machine long, and no effect is like the force.
+        """Return it for a model; None for one without states, or which cannot be run beside a force.
 
         The missing force may be known. A model without states, as of a rig that prescribes all motion, loses
         nothing in free runs.
@@ -68,28 +66,44 @@ class InPieces:
         if not NetworkPredictor(study.campaign, (), (), ()).dae.state_names:
             return None
         try:
-            missing, law, foreseen = best_law(study, model, known or force_of(study, model))
-            learnt = _learnt(study, law, missing) if law.explained >= LAW_FORESEEN_SHARE else None
-            listed = likened(missing, learnt, model)
-            if learnt is None and listed:
-                listed = sized(study, missing, listed)
+            return cls(study, model, *best_law(study, model, known or force_of(study, model)))
         except InertanceError:
             return None
-        return cls(study, model, missing, learnt, listed, foreseen) if learnt or listed else None
+
+    @cached_property
+    def in_series(self) -> list[Candidate]:
+        """Effects in series with a spring that are like the force, with the sizes that short runs tell."""
+        try:
+            return sized(self.study, self.missing, likened_in_series(self.missing, self.model))
+        except InertanceError:
+            return []
 
     @property
-    def likest(self) -> Candidate | None:
-        """The plainest of the effects that are likest to the force."""
-        if not self.listed:
-            return None
-        least = self.listed[0].gain - LIKENED_LEAST_GAIN * self.model.cost
-        return min((c for c in self.listed if c.gain > least), key=lambda c: len(c.values))
+    def law(self) -> Law | None:
+        """The law, fitted to pieces of the training records; None if it follows the machine nowhere long."""
+        return self._learnt[0]
+
+    @property
+    def across(self) -> list[Candidate]:
+        """Static effects that are like the law."""
+        return self._learnt[1]
+
+    @cached_property
+    @computing("the search for what records in pieces lack")
+    def _learnt(self) -> tuple[Law | None, list[Candidate]]:
+        """What is learnt of the law, until it follows the records or an effect that is like it is near."""
+        law, listed = None, list[Candidate]()
+        for law, left in _learnt(self.study, self.drawn, self.missing):
+            listed = likened_across(law, self.model)
+            if listed and left < LOST_LEAST:
+                break
+        return law, listed
 
     def cut_by_effect(self, one: Candidate) -> Study | None:
         """Return the records in pieces that an effect follows."""
         effect = Hypothesis(one.effect, one.site, f"{one.effect.kind}_1", one.values)
-        law = self.law if self.law and one.effect.is_static else self.missing.by_position
-        return self._cut(effect, one.parameters, law)
+        law = self.law if one.effect.is_static else None
+        return self._cut(effect, one.parameters, law or self.missing.by_position)
 
     def cut_by_law(self) -> Study | None:
         """Return the records in pieces that the law follows."""
@@ -124,12 +138,16 @@ class InPieces:
         return Search(replace(self.study, campaign=campaign), near).settled(number, rough).runs
 
 
-def _learnt(study: Study, law: Law, missing: MissingForce) -> Law | None:
-    """Return a law fitted to pieces of the training records; what is learnt of it makes them longer."""
+def _learnt(study: Study, law: Law, missing: MissingForce) -> Iterator[tuple[Law, float]]:
+    """Yield a law fitted to pieces of the training records, and what it misses of them [noise], ever less.
+
+    What is learnt of it makes them longer. A law that foresees little of the force is not fitted.
+    """
+    if law.explained < LAW_FORESEEN_SHARE:
+        return
     training = copy(study.campaign)
     training.testing = []
-    alone, runs = replace(study, campaign=training), missing.settled.runs
-    learnt, left = None, inf
+    alone, runs, left = replace(study, campaign=training), missing.settled.runs, inf
     for _ in range(PIECE_ROUNDS):
         if study.late():
             break
@@ -138,13 +156,20 @@ def _learnt(study: Study, law: Law, missing: MissingForce) -> Law | None:
             found = polished(pieces, law)
         except InertanceError:
             break
-        if found.left <= LAW_RESOLVED * max(1.0, missing.misfit):
-            return found.law
         if found.left > PIECE_WON_SHARE * left:
             break
-        learnt, left = found.law, found.left
-        law = learnt.finer()
-    return learnt
+        yield found.law, found.left
+        if found.left <= LAW_RESOLVED * max(1.0, missing.misfit):
+            break
+        left, law = found.left, found.law.finer()
+
+
+def likest(listed: Sequence[Candidate], model: Refit) -> Candidate | None:
+    """Return the plainest of the effects that are likest to what a model misses."""
+    if not listed:
+        return None
+    least = max(one.gain for one in listed) - LIKENED_LEAST_GAIN * model.cost
+    return min((one for one in listed if one.gain > least), key=lambda one: len(one.values))
 
 
 def refitted(study: Study, model: Refit) -> tuple[Refit, Refit]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -22,19 +22,30 @@ from .regression import apart
 MOVING = "t", "s", "v", "f", "a"  # what a motion tells at its points
 
 
-def likened(missing: MissingForce, law: Law | None, base: Refit) -> list[Candidate]:
+def likened(missing: MissingForce, law: Law, base: Refit) -> list[Candidate]:
     """Return effects that do what a law does at its site, or what the missing force takes off a spring there.
 
-    What constants of stiffness and damping may be off is left out of account of a law. The likest comes
-    first, with the values that make it so; its gain is so much of what a model misses as it has of the
-    force. Those that do much less are left out.
+    The likest comes first, with the values that make it so; its gain is so much of what a model misses as it
+    has of the force. Those that do much less are left out.
     """
-    found = [*_likened_across(law, base)] if law is not None else []
-    found += _likened_in_series(missing, base)
+    return _sorted([*_across(law, base), *_in_series(missing, base)])
+
+
+def likened_across(law: Law, base: Refit) -> list[Candidate]:
+    """Return static effects, as `likened`, whatever constants of stiffness and damping are off."""
+    return _sorted(_across(law, base))
+
+
+def likened_in_series(missing: MissingForce, base: Refit) -> list[Candidate]:
+    """Return effects in series with a spring, as `likened`."""
+    return _sorted(_in_series(missing, base))
+
+
+def _sorted(found: Iterable[Candidate]) -> list[Candidate]:
     return sorted(found, key=lambda candidate: -candidate.gain)
 
 
-def _likened_across(law: Law, base: Refit) -> Iterator[Candidate]:
+def _across(law: Law, base: Refit) -> Iterator[Candidate]:
     """Yield static effects at the site of a law."""
     pairs = [(run.motion(law.number), law.along(m)) for run, m in zip(law.runs, law.motions, strict=True)]
     every = _few([motion for motion, _ in pairs])
@@ -51,7 +62,7 @@ def _likened_across(law: Law, base: Refit) -> Iterator[Candidate]:
             yield Candidate(effect, site, values, share * base.cost, 1.0, _beside(law, effect, site, values))
 
 
-def _likened_in_series(missing: MissingForce, base: Refit) -> Iterator[Candidate]:
+def _in_series(missing: MissingForce, base: Refit) -> Iterator[Candidate]:
     """Yield effects in series with a spring at the site of a force, with what this takes off the spring."""
     settled = missing.settled
     motions = [run.motion(settled.number) for run in settled.runs]

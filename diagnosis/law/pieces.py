@@ -7,6 +7,7 @@ from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass, replace
 from itertools import islice
+from math import ceil
 
 import numpy as np
 
@@ -14,11 +15,17 @@ from ...base import Array
 from ...components import SimulationError
 from ...identification import Experiment
 from ..criteria import (
+    LOST_LEAST,
     LOST_LENGTH_SHARE,
     LOST_STANDARD_DEVIATIONS,
+    PIECE_GROWS,
+    PIECE_HALVINGS,
     PIECE_KEPT,
+    PIECE_MOST_SAMPLES,
     PIECE_SAMPLES,
     PIECE_STARTS,
+    PIECE_STEPS,
+    PIECE_WON,
     PIECES,
     PIECES_SPREAD,
 )
@@ -68,6 +75,11 @@ class Follower:
         away = np.abs(run.motion(self.site).s[run.found.at] - there)
         return min(kept, samples_before(away > self.within))
 
+    def follows(self, run: Beside, along: Beside, begin: int) -> bool:
+        """Tell whether a run of a piece follows all of it, near to noise where that is to be close."""
+        near = self.missed is None or run.squares < LOST_LEAST**2 * run.left.size
+        return near and self.followed(run, along, begin) == len(run.found.at)
+
     def spread(self, along: Beside, count: int, most: int) -> Iterator[tuple[int, Experiment]]:
         """Yield where parts begin that are spread over a record, and those, of so many samples at most.
 
@@ -85,7 +97,7 @@ def cut(study: Study, follower: Follower, runs: Sequence[Beside]) -> Study:
     """Return a study with a record for each piece of what it has, of which `runs` go along what was measured.
 
     Raises:
-        SimulationError: if there would be very many, or the model follows the machine nowhere.
+        SimulationError: if the model follows the machine nowhere.
     """
     campaign = copy(study.campaign)
     count = len(campaign.training)
@@ -102,33 +114,69 @@ def cut(study: Study, follower: Follower, runs: Sequence[Beside]) -> Study:
 
 
 def _few(follower: Follower, along: Beside) -> list[Experiment]:
-    """Return the pieces of a record; of one that is followed closely parts that are spread over it."""
-    if follower.missed is not None:
-        return [*_spread(follower, along)] if goes_along(along) else []
-    found = [*islice(_pieces(follower, along), PIECES + 1)]
-    if len(found) > PIECES:
-        raise SimulationError(f"{along.experiment.name}: no run follows the machine for long")
-    return found
+    """Return the pieces of a record; parts that are spread over it if those are many, or followed closely."""
+    if follower.missed is None:
+        found = [*islice(_pieces(follower, along), PIECES + 1)]
+        if len(found) <= PIECES:
+            return found
+    return [*_spread(follower, along)] if goes_along(along) else []
 
 
 def _spread(follower: Follower, along: Beside) -> Iterator[Experiment]:
-    """Yield parts of a record that a model follows, of those that are spread over it."""
-    for begin, part in follower.spread(along, PIECES_SPREAD, len(along.found.at)):
-        found, kept = _farthest(follower, along, begin, part)
-        if found is not None and PIECE_KEPT * kept > PIECE_SAMPLES:
-            motion = _motion(found, along.experiment.compared.time[begin], follower)
-            yield along.experiment.part(begin, begin + int(PIECE_KEPT * kept), motion)
+    """Yield parts of a record that a model follows, of those that are spread over it; none within another.
+
+    Those that are followed closely are short, as impacts make much of small errors.
+    """
+    end, last = 0, len(along.experiment.compared.time) - 1
+    most = last if follower.missed is None else PIECE_MOST_SAMPLES
+    for begin, part in follower.spread(along, PIECES_SPREAD, PIECE_SAMPLES):
+        found = None if begin < end else _grown(follower, along, begin, part, min(most, last - begin))
+        if found is not None:
+            yield found
+            end = begin + len(found.compared.time) - 1
 
 
-def _farthest(follower: Follower, along: Beside, begin: int, part: Experiment) -> tuple[Beside | None, int]:
-    """Return the run that follows farthest through a part of a record, and how far, by ever longer ones."""
-    last, motion = len(part.compared.time) - 1, part.motion
-    end = min(2 * PIECE_SAMPLES, last)
+def _grown(follower: Follower, along: Beside, begin: int, part: Experiment, last: int) -> Experiment | None:
+    """Return a part of a record as long as a run follows it, which begins ever nearer; None if none does."""
+    kept, time = None, float(part.compared.time[0])
     while True:
-        found, kept = _begun(follower, along, begin, begin + end, [motion])
-        if found is None or kept <= end or end == last:
-            return found, kept
-        end, motion = min(2 * end, last), _motion(found, along.experiment.compared.time[begin], follower)
+        end = len(part.compared.time) - 1
+        run = _nearest(follower.bench, part, follower.given)
+        if run is None or not follower.follows(run, along, begin):
+            return kept
+        motion = _motion(run, time, follower)
+        kept = along.experiment.part(begin, begin + end, motion)
+        if end == last:
+            return kept
+        part = along.experiment.part(begin, begin + min(ceil(PIECE_GROWS * end), last), motion)
+
+
+def _nearest(bench: Bench, part: Experiment, given: Mapping[str, float]) -> Beside | None:
+    """Return the run of a part that is nearest, by steps of Gauss and Newton; None if it can't be run."""
+    try:
+        run = bench.run(part, given, bench.begin(part, given, {}))
+    except SimulationError:
+        return None
+    for _ in range(PIECE_STEPS):
+        columns, _, priors = run.columns(fixed=True)
+        step = own_of(columns[:, :, 0], columns[:, :, 1:], priors)
+        nearer = _nearer(bench, run, step)
+        if nearer is None:
+            break
+        run, before = nearer, run
+        if run.squares > (1 - PIECE_WON) * before.squares:
+            break
+    return run
+
+
+def _nearer(bench: Bench, run: Beside, step: Array) -> Beside | None:
+    """Return a run that begins on a way and misses less; None if none does."""
+    for halvings in range(PIECE_HALVINGS):
+        with suppress(SimulationError):
+            other = bench.run(run.experiment, run.given, run.began(step / 2**halvings, 0))
+            if other.squares < run.squares:
+                return other
+    return None
 
 
 def _pieces(follower: Follower, along: Beside) -> Iterator[Experiment]:
@@ -172,12 +220,13 @@ def _begun(
     best: tuple[Beside | None, int] = None, 0
     for motion in motions:
         with suppress(SimulationError):
-            found = _settled(follower, along, begin, along.experiment.part(begin, end, motion))
+            found = _rebegun(follower, along, begin, along.experiment.part(begin, end, motion))
             best = found if best[0] is None or found[1] > best[1] else best
     return best
 
 
-def _settled(follower: Follower, along: Beside, begin: int, piece: Experiment) -> tuple[Beside, int]:
+def _rebegun(follower: Follower, along: Beside, begin: int, piece: Experiment) -> tuple[Beside, int]:
+    """Return the run of a piece from where it follows farthest, sought about where it begins, and how far."""
     bench, given = follower.bench, follower.given
     run = bench.run(piece, given, bench.begin(piece, given, {}))
     kept = follower.followed(run, along, begin)

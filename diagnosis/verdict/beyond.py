@@ -7,11 +7,12 @@ from dataclasses import replace
 
 from ..criteria import LAW_LEAVES_SHARE, LOST_STANDARD_DEVIATIONS, PIECE_FITS
 from ..effects.hypothesis import Hypothesis
-from ..law.in_pieces import InPieces, refitted
+from ..law.in_pieces import InPieces, likest, refitted
 from ..law.likened import likened
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
 from ..search.model_comparison import Refit
+from ..search.score_test import Candidate
 from ..search.tried import without
 from .counterfactual import Foretold, counterfactuals
 from .decide import OPEN_END, closed_by
@@ -59,10 +60,21 @@ def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
 def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
     """Return the verdict that names an effect of the list which holds in pieces of records.
 
-    They are cut once more by what was fitted to them: the nearer a model is, the farther it follows.
+    What is in series is tried first: it is told in seconds, a law in minutes.
     """
-    chosen, tried = inside.likest, None
-    listed = {one.label: one for one in inside.listed}
+    found = _fitted_in_pieces(verdict, inside, inside.in_series)
+    if found is None or not found.explained:
+        found = _fitted_in_pieces(verdict, inside, inside.across) or found
+    return None if found is None else found.verdict([_told(inside.study, found.study)])
+
+
+def _fitted_in_pieces(verdict: Verdict, inside: InPieces, likely: Sequence[Candidate]) -> Named | None:
+    """Return what came of fitting effects to pieces of records.
+
+    These are cut once more by what is in series, or explains too little: a nearer model follows farther.
+    """
+    chosen, found = likest(likely, inside.model), None
+    listed = {one.label: one for one in likely}
     for _ in range(PIECE_FITS):
         pieces = None if chosen is None else inside.cut_by_effect(chosen)
         if pieces is None:
@@ -71,10 +83,13 @@ def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
         tried = Named.of(pieces, evidence, [*listed.values()], replace(evidence.refit, starts=()))
         if tried.best is None:
             break
+        found = tried if found is None or tried.explained or not found.explained else found
         last, given = tried.best.effects[-1], tried.best.parameters
+        if (tried.explained and last.effect.is_static) or last.values == listed[last.label].values:
+            break
         chosen = replace(listed[last.label], values=dict(last.values), parameters=given, sized=True)
         listed[last.label] = chosen
-    return None if tried is None else tried.verdict([_told(inside.study, tried.study)])
+    return found
 
 
 def _law_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:

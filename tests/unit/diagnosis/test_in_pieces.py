@@ -116,7 +116,7 @@ def test_records_without_a_test_among_them_are_cut_as_well(study: Study) -> None
     alone = Study(untested, study.accuracy)
     base = JointFit(alone, untested.start).fitted()
     missing = force_of(alone, base)
-    pieces = InPieces(alone, base, missing, missing.law(("position",)), [], {}).cut_by_law()
+    pieces = InPieces(alone, base, missing, missing.law(("position",)), {}).cut_by_law()
     assert pieces is not None
     assert not pieces.campaign.testing
     assert {part.source for part in pieces.campaign.training} == {e.source for e in untested.training}

@@ -9,7 +9,7 @@ import pytest
 from inertance import rotational
 from inertance.diagnosis import Verdict
 from inertance.diagnosis.effects.hypothesis import Hypothesis
-from inertance.diagnosis.law.likened import likened
+from inertance.diagnosis.law.likened import likened_in_series
 from inertance.diagnosis.law.missing_force import force_of
 from inertance.diagnosis.law.pieces import Follower
 from inertance.diagnosis.models.study import Study
@@ -91,8 +91,15 @@ def test_the_missing_force_takes_off_the_screw_what_it_bears(study: Study, base:
     missing = force_of(study, base)
     assert missing.site.path == "coupling"
     assert missing.misfit < 2.0 < missing.before
-    (play,) = (one for one in likened(missing, None, base) if one.effect.kind == "backlash")
+    (play,) = (one for one in likened_in_series(missing, base) if one.effect.kind == "backlash")
     assert play.values["eps"] == pytest.approx(EPS, rel=0.3)
+
+
+def test_pieces_in_which_a_run_follows_share_no_instant(verdict: Verdict) -> None:
+    pieces = verdict.evidence.campaign.experiments
+    assert len(pieces) > 8
+    for one, after in pairwise(sorted(pieces, key=lambda e: (e.source, e.compared.time[0]))):
+        assert one.source != after.source or one.compared.time[-1] <= after.compared.time[0]
 
 
 def test_play_is_named_by_pieces_of_the_records(verdict: Verdict) -> None:
@@ -107,7 +114,7 @@ def test_play_is_named_by_pieces_of_the_records(verdict: Verdict) -> None:
 def test_parts_of_a_record_share_no_instant(study: Study, base: Refit) -> None:
     """However many are asked for, none is judged by what another one is."""
     missing = force_of(study, base)
-    (play,) = (one for one in likened(missing, None, base) if one.effect.kind == "backlash")
+    (play,) = (one for one in likened_in_series(missing, base) if one.effect.kind == "backlash")
     placed = Hypothesis(play.effect, play.site, "backlash_1", play.values)
     follower = Follower.of(study, missing, missing.by_position, placed, play.parameters)
     along = missing.settled.runs[0]
@@ -153,6 +160,6 @@ def test_play_of_a_rod_is_seen_through_its_length_an_offset_and_another_clock() 
     missing = force_of(study, base)
     assert missing.site.path == "rod"
     assert missing.misfit < 1.0 < missing.before
-    likest = likened(missing, None, base)[0]
+    likest = likened_in_series(missing, base)[0]
     assert likest.effect.kind == "backlash"
     assert likest.values["eps"] == pytest.approx(play, rel=0.05)
