@@ -52,6 +52,7 @@ class DAE:
         derivative: by joined variable its derivative, and the sign of that.
         jumps: the equations while signals jump whose derivatives they hold, if there are any.
         bindings: what runs have compiled, by the signals they were given.
+        timed: what its equations hold that depends on time alone, by the inputs that are given.
     """
 
     name: str
@@ -77,6 +78,7 @@ class DAE:
     derivative: dict[int, tuple[int, int]]
     jumps: Jumps | None = None
     bindings: dict[Any, Any] = field(default_factory=dict)
+    timed: dict[Any, Any] = field(default_factory=dict)
 
     @cached_property
     def state_names(self) -> list[str]:

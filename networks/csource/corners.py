@@ -67,6 +67,7 @@ def corners_as_modes(dae: DAE) -> DAE:
         ),
         blocks=[replace(block, matrix=m) for block, m in zip(dae.blocks, matrices, strict=True)],
         bindings={},
+        timed={},
     )
 
 

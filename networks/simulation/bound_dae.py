@@ -183,7 +183,10 @@ class BoundDAE:
     def timed_rows(self) -> Any:
         """What the equations hold that depends on time, inputs and parameters alone, as SX."""
         given = [k for k, (_, signal) in enumerate(self.given) if not isinstance(signal, Polynomial)]
-        return timed_rows(self.dae, given, watched=bool(self.courses))
+        known, key = self.dae.timed, (*given, bool(self.courses))
+        if key not in known:
+            known[key] = timed_rows(self.dae, given, watched=bool(self.courses))
+        return known[key]
 
     def legs(self, q: Array, begin: float, stop: float) -> list[Leg]:
         """Return the parts of a run between the instants at which inputs switch; found once for each run."""
