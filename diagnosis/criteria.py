@@ -236,6 +236,7 @@ PIECE_SAMPLES = 32  # [1] of a piece at least; data
 PIECE_MOST_SAMPLES = 160  # [1] of one that is followed closely; data
 PIECE_ROUNDS = 4  # [1] in which records are cut by a law, and the law fitted to the pieces; effort
 PIECES = 15  # [1] of a record at most, if they are all of it; effort
+PIECES_AT_FIRST = 4  # [1] of a record, however short, before there seem to be too many; effort
 PIECES_SPREAD = 24  # [1] of a record, some of which are followed, if not; effort
 PIECE_GROWS = 1.25  # [1] by which a part is lengthened while a run follows it; effort
 PIECE_STEPS, PIECE_HALVINGS = 4, 4  # [1] of Gauss and Newton to where a part begins, and shorter ones; effort

@@ -2,7 +2,8 @@
 
 The machine that is measured differs each time, the model never: nothing at all, parameters only, friction,
 more of everything by 3 % (a heavier carriage, or a position sensor that reads 3 % low: a force alone cannot
-tell), and a stop that no known effect is like.
+tell), a stop that no known effect is like but a law of position is, and a
+part that hangs loosely on it and swings, which no law is.
 
     python examples/verdicts.py [CASE]
 """
@@ -11,6 +12,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from textwrap import shorten
 
 import numpy as np
 from inertance import (
@@ -23,6 +25,7 @@ from inertance import (
     Network,
     Sampled,
     Spring,
+    SpringDamper,
     diagnose,
 )
 from inertance.diagnosis import Verdict
@@ -52,6 +55,13 @@ def with_a_stop() -> Network:
     net = rig(k=820.0).add(stop=ElastoGap(k=4e4, d=60.0, s_rel0=-0.012))
     net.connect(net.wall.flange, net.stop.flange_a)
     return net.connect(net.stop.flange_b, net.carriage.flange)
+
+
+def with_a_pendant() -> Network:
+    """Return the carriage with 0.3 kg on a soft spring of its own, which swings at 4 Hz."""
+    net = rig(k=820.0).add(hanger=SpringDamper(k=190.0, d=0.4), pendant=Mass(m=0.3))
+    net.connect(net.carriage.flange, net.hanger.flange_a)
+    return net.connect(net.hanger.flange_b, net.pendant.flange)
 
 
 def random_force(seed: int) -> Sampled:
@@ -89,7 +99,8 @@ CASES: dict[str, Callable[[], Verdict]] = {
     "parameters": lambda: verdict_on(rig(k=980.0, d=9.0)),
     "effect": lambda: verdict_on(with_friction()),
     "ambiguous": lambda: verdict_on(rig(k=824.0, d=6.18, m=2.06)),
-    "unknown": lambda: verdict_on(with_a_stop()),
+    "law": lambda: verdict_on(with_a_stop()),
+    "unknown": lambda: verdict_on(with_a_pendant()),
 }
 
 
@@ -99,7 +110,7 @@ def main() -> None:
         found = CASES[name]()
         print(f"{name}: {found.verdict}. {found.sentence}")
         for line in found.lines:
-            print(f"  {line}")
+            print(f"  {shorten(line, 110)}")
         if found.next_experiment:
             print(f"  next: {found.next_experiment}")
 

@@ -14,6 +14,7 @@ from ..effects.effect import EFFECTS, Effect, Motion, Values
 from ..effects.sites import Site
 from ..models.probes import scaled
 from ..search.model_comparison import Refit
+from ..search.record_start import projected
 from ..search.score_test import Candidate
 from .law import Law
 from .missing_force import MissingForce
@@ -150,7 +151,9 @@ class _Fit:
         self, effect: Effect, site: Site, motions: Sequence[Motion], forces: Sequence[Array]
     ) -> None:
         self.effect, self.domain, self.wanted = effect, site.domain, np.concatenate(forces)
-        told = np.concatenate([m.s for m in motions]), self.wanted - self.wanted.mean()
+        where, speed = (np.concatenate([getattr(m, name) for m in motions]) for name in ("s", "v"))
+        straight = np.column_stack([where, speed, np.ones(len(where))])
+        told = where, projected(self.wanted[:, None], straight)[:, 0]
         self.motions = [replace(effect.about(m, site), missed=told) for m in motions]
         self.linear = np.concatenate([np.column_stack([m.s, m.v]) for m in self.motions])
         self.all_of_it = self._left(np.zeros((len(self.wanted), 0)), np.zeros(0))[1] or 1.0

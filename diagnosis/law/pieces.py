@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass, replace
-from itertools import islice
 from math import ceil
 
 import numpy as np
@@ -27,6 +26,7 @@ from ..criteria import (
     PIECE_STEPS,
     PIECE_WON,
     PIECES,
+    PIECES_AT_FIRST,
     PIECES_SPREAD,
 )
 from ..effects.hypothesis import Hypothesis
@@ -116,8 +116,13 @@ def cut(study: Study, follower: Follower, runs: Sequence[Beside]) -> Study:
 def _few(follower: Follower, along: Beside) -> list[Experiment]:
     """Return the pieces of a record; parts that are spread over it if those are many, or followed closely."""
     if follower.missed is None:
-        found = [*islice(_pieces(follower, along), PIECES + 1)]
-        if len(found) <= PIECES:
+        found, length = list[Experiment](), float(np.ptp(along.experiment.compared.time))
+        for piece in _pieces(follower, along):
+            found.append(piece)
+            passed = sum(float(np.ptp(one.compared.time)) for one in found)
+            if len(found) > max(PIECES * passed / length, PIECES_AT_FIRST):
+                break
+        else:
             return found
     return [*_spread(follower, along)] if goes_along(along) else []
 
@@ -128,16 +133,18 @@ def _spread(follower: Follower, along: Beside) -> Iterator[Experiment]:
     Those that are followed closely are short, as impacts make much of small errors.
     """
     end, last = 0, len(along.experiment.compared.time) - 1
-    most = last if follower.missed is None else PIECE_MOST_SAMPLES
+    most, grows = (last, 2.0) if follower.missed is None else (PIECE_MOST_SAMPLES, PIECE_GROWS)
     for begin, part in follower.spread(along, PIECES_SPREAD, PIECE_SAMPLES):
-        found = None if begin < end else _grown(follower, along, begin, part, min(most, last - begin))
+        found = None if begin < end else _grown(follower, along, begin, part, min(most, last - begin), grows)
         if found is not None:
             yield found
             end = begin + len(found.compared.time) - 1
 
 
-def _grown(follower: Follower, along: Beside, begin: int, part: Experiment, last: int) -> Experiment | None:
-    """Return a part of a record as long as a run follows it, which begins ever nearer; None if none does."""
+def _grown(
+    follower: Follower, along: Beside, begin: int, part: Experiment, last: int, grows: float
+) -> Experiment | None:
+    """Return a part of a record, grown as long as a run follows it, begun ever nearer; None if none does."""
     kept, time = None, float(part.compared.time[0])
     while True:
         end = len(part.compared.time) - 1
@@ -148,7 +155,7 @@ def _grown(follower: Follower, along: Beside, begin: int, part: Experiment, last
         kept = along.experiment.part(begin, begin + end, motion)
         if end == last:
             return kept
-        part = along.experiment.part(begin, begin + min(ceil(PIECE_GROWS * end), last), motion)
+        part = along.experiment.part(begin, begin + min(ceil(grows * end), last), motion)
 
 
 def _nearest(bench: Bench, part: Experiment, given: Mapping[str, float]) -> Beside | None:

@@ -1,6 +1,7 @@
 """Records in pieces: what no free run follows is learnt there, and named; a machine held by valleys."""
 
 from copy import copy
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -9,8 +10,11 @@ import numpy as np
 import pytest
 from inertance.diagnosis import Verdict
 from inertance.diagnosis.criteria import PIECE_SAMPLES
+from inertance.diagnosis.law import pieces
 from inertance.diagnosis.law.in_pieces import InPieces
 from inertance.diagnosis.law.missing_force import force_of
+from inertance.diagnosis.law.pieces import Follower
+from inertance.diagnosis.law.polish import placed
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.verdict.beyond import beyond_the_list
@@ -34,9 +38,9 @@ def slide(k: float = 900.0, held: bool = False) -> ia.Network:
     return net
 
 
-def records() -> list[dict[str, Any]]:
-    """Return records of a block that moves from valley to valley, begun in motion; the clock is late."""
-    true, rng, found = slide(950.0, held=True), np.random.default_rng(3), []
+def records(true: ia.Network) -> list[dict[str, Any]]:
+    """Return records of a block, begun in motion; the clock is late."""
+    rng, found = np.random.default_rng(3), []
     for number in range(3):
         shape = Multisine(rms=14.0 - number, low=0.3, high=6.0, period=SECONDS + 1, seed=number)
         force = sampled(shape, stop=SECONDS + 1, rate=RATE, fade=0.3)
@@ -50,21 +54,23 @@ def records() -> list[dict[str, Any]]:
     return found
 
 
+def campaign(true: ia.Network) -> Campaign:
+    """Return records of a block beside a model that says that it is held by nothing."""
+    known = records(true)
+    return Campaign(
+        slide(),
+        channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "block.s", "unit": "m"}},
+        parameters={"spring.k": {"rel": 0.1}, "spring.d": {"rel": 0.1}},
+        train=known[:2],
+        test=known[2:],
+        noise={"x": NOISE},
+    )
+
+
 @pytest.fixture(scope="module")
 def study() -> Study:
-    """Return the study of the block, which the model says is held by nothing."""
-    known = records()
-    return Study(
-        Campaign(
-            slide(),
-            channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "block.s", "unit": "m"}},
-            parameters={"spring.k": {"rel": 0.1}, "spring.d": {"rel": 0.1}},
-            train=known[:2],
-            test=known[2:],
-            noise={"x": NOISE},
-        ),
-        Accuracy(),
-    )
+    """Return the study of a block that moves from valley to valley."""
+    return Study(campaign(slide(950.0, held=True)), Accuracy())
 
 
 @pytest.fixture(scope="module")
@@ -116,10 +122,45 @@ def test_records_without_a_test_among_them_are_cut_as_well(study: Study) -> None
     alone = Study(untested, study.accuracy)
     base = JointFit(alone, untested.start).fitted()
     missing = force_of(alone, base)
-    pieces = InPieces(alone, base, missing, missing.law(("position",)), {}).cut_by_law()
-    assert pieces is not None
-    assert not pieces.campaign.testing
-    assert {part.source for part in pieces.campaign.training} == {e.source for e in untested.training}
+    cut = InPieces(alone, base, missing, missing.law(("position",)), {}).cut_by_law()
+    assert cut is not None
+    assert not cut.campaign.testing
+    assert {part.source for part in cut.campaign.training} == {e.source for e in untested.training}
+
+
+def test_parts_are_taken_of_a_record_that_would_fall_into_many_pieces(
+    study: Study, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pieces, "PIECES", 0)
+    monkeypatch.setattr(pieces, "PIECES_AT_FIRST", 0)
+    untested = copy(study.campaign)
+    untested.testing = []
+    alone = Study(untested, study.accuracy)
+    missing = force_of(alone, JointFit(alone, untested.start).fitted())
+    law = missing.by_position
+    follower = Follower.of(alone, missing, law, placed(law), law.given)
+    cut = pieces.cut(alone, follower, missing.settled.runs)
+    for whole in untested.training:
+        parts = [part for part in cut.campaign.training if part.source == whole.source]
+        assert parts
+        assert all(a.record.time[-1] <= b.record.time[0] for a, b in pairwise(parts))
+        assert all(len(part.compared.time) > PIECE_SAMPLES for part in parts)
+
+
+def test_the_force_is_found_beside_parameters_far_from_where_they_were_given() -> None:
+    """A block that stays in one valley seems to be on a far stiffer spring, neared step by step."""
+    stiff = Study(campaign(slide(7900.0)), Accuracy())
+    given = JointFit(stiff, stiff.campaign.start)
+    missing = force_of(stiff, given.seen(given.start))
+    assert missing.misfit < 1.1 < 10 < missing.before
+
+
+def test_the_force_is_found_where_a_fit_without_it_has_gone_astray(study: Study) -> None:
+    base = JointFit(study, study.campaign.start).fitted()
+    astray = replace(base, parameters={"spring.k": 0.0, "spring.d": 2500.0})
+    missing = force_of(study, astray)
+    assert missing.misfit < 1.4 < 10 < missing.before
+    assert missing.law(("position",)).explained > 0.98
 
 
 def test_windows_of_one_file_begin_each_where_it_does() -> None:
