@@ -14,6 +14,7 @@ from ...base import Array
 from ...components import SimulationError
 from ...identification import Experiment
 from ..criteria import (
+    LOST_GAP_SHARE,
     LOST_LEAST,
     LOST_LENGTH_SHARE,
     LOST_STANDARD_DEVIATIONS,
@@ -76,9 +77,13 @@ class Follower:
         return min(kept, samples_before(away > self.within))
 
     def follows(self, run: Beside, along: Beside, begin: int) -> bool:
-        """Tell whether a run of a piece follows all of it, near to noise where that is to be close."""
-        near = self.missed is None or run.squares < LOST_LEAST**2 * run.left.size
-        return near and self.followed(run, along, begin) == len(run.found.at)
+        """Tell whether a run of a piece follows all of it, and misses little where that is to be close."""
+        if self.followed(run, along, begin) < len(run.found.at):
+            return False
+        if self.missed is None:
+            return True
+        allowed = max(LOST_GAP_SHARE * float(np.sqrt(np.mean(self.missed**2))), LOST_LEAST)
+        return run.squares < allowed**2 * run.left.size
 
     def spread(self, along: Beside, count: int, most: int) -> Iterator[tuple[int, Experiment]]:
         """Yield where parts begin that are spread over a record, and those, of so many samples at most.
