@@ -42,11 +42,12 @@ from .regression import own_of
 class Follower:
     """A model that is to follow a machine, at a site `within` a distance.
 
-    `states` are those of the model that all effects are beside. What that has `missed` is told of one that
-    follows through impacts, for a short time and closely: with play, or another effect in series.
+    `states` are those of the model `without` an effect. What that has `missed` is told of one that follows
+    through impacts, for a short time and closely: with play, or another effect in series.
     """
 
     bench: Bench
+    without: Bench
     given: Mapping[str, float]
     states: Sequence[str]
     site: int
@@ -65,7 +66,7 @@ class Follower:
         if effect.effect.place == "series":
             left = np.concatenate([run.left for run in missing.search.nominal])
             missed = np.sqrt(np.mean(left**2, axis=0))
-        return cls(bench, given, beside.predictor.dae.state_names, law.number, within, missed)
+        return cls(bench, beside, given, beside.predictor.dae.state_names, law.number, within, missed)
 
     def followed(self, run: Beside, along: Beside, begin: int) -> int:
         """Return for how many samples a run of a piece follows a record, and one that goes along it."""
@@ -80,10 +81,14 @@ class Follower:
         """Tell whether a run of a piece follows all of it, and misses little where that is to be close."""
         if self.followed(run, along, begin) < len(run.found.at):
             return False
-        if self.missed is None:
-            return True
-        allowed = max(LOST_GAP_SHARE * float(np.sqrt(np.mean(self.missed**2))), LOST_LEAST)
-        return run.squares < allowed**2 * run.left.size
+        return self.missed is None or _rms(run) < LOST_LEAST or _rms(run) < LOST_GAP_SHARE * self._bare(run)
+
+    def _bare(self, run: Beside) -> float:
+        """Return what the model without what is to follow misses of a piece."""
+        try:
+            return _rms(self.without.run(run.experiment, self.given, run.begin))
+        except SimulationError:
+            return 0.0
 
     def spread(self, along: Beside, count: int, most: int) -> Iterator[tuple[int, Experiment]]:
         """Yield where parts begin that are spread over a record, and those, of so many samples at most.
@@ -214,9 +219,14 @@ def _pieces(follower: Follower, along: Beside) -> Iterator[Experiment]:
         begin, end, before = stop, stop + max(kept, 2 * PIECE_SAMPLES), found
 
 
+def _rms(run: Beside) -> float:
+    """Return the root mean square of what a run misses, in units of noise."""
+    return float(np.sqrt(run.squares / run.left.size))
+
+
 def goes_along(run: Beside) -> bool:
     """Tell whether a run is where the machine was."""
-    return bool(np.sqrt(np.mean(run.left**2)) < LOST_STANDARD_DEVIATIONS)
+    return _rms(run) < LOST_STANDARD_DEVIATIONS
 
 
 def _motion(run: Beside, time: float, follower: Follower) -> dict[str, float]:
