@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 NODES, WEIGHTS = (each / 2 for each in np.polynomial.legendre.leggauss(3))  # exact for force times speed
 JUMP_SHARE = 1e-9  # of how far a flange moves in all, below which it does not jump
-BEND_SHARE = 1e-4  # of a range: a power or force that bends more between two points is followed again
+BEND_SHARE = 1e-4  # of a range, and in energy of all that is turned over: what bends more is followed again
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,6 +135,15 @@ class _Signals:
         self.values, self.rates = self.at(points)
         self._ranges = np.ptp(self.values, axis=0)
         self._ranges[: self.powers] = self._ranges[: self.powers].max(initial=0.0)
+        self._turned = self._least_turned()
+
+    def _least_turned(self) -> float:
+        """Return what the power or work that does most turns over at least, without spikes between points."""
+        least = np.minimum(np.abs(self.values[1:]), np.abs(self.values[:-1]))
+        energy = least[:, self.part("power")] * np.diff(self._points.t)[:, None]
+        moved = np.abs(np.diff(self.values[:, self.part("position")], axis=0))
+        turned = np.hstack([energy, least[:, self.part("force")] * moved])
+        return float(turned.sum(axis=0).max(initial=0.0))
 
     def at(self, points: Points) -> tuple[Array, Array]:
         """Return values and rates at points, (points, signals) each."""
@@ -174,7 +183,11 @@ class _Signals:
             slope = y1 - y0 + a * (1 - node) * (1 - 3 * node) - b * node * (2 - 3 * node)
             work += weight * value[:, force] * slope[:, position]
         bend = (np.abs(a) + np.abs(b)) / 12
-        return np.hstack([gained, work]), np.any(bend > BEND_SHARE * self._ranges + 1e-300, axis=1)
+        unsure = np.hstack([h * bend[:, powers], np.abs((y1 - y0)[:, position]) * bend[:, force]])
+        doubtful = np.any(bend > BEND_SHARE * self._ranges + 1e-300, axis=1)
+        return np.hstack([gained, work]), doubtful | np.any(
+            unsure > BEND_SHARE * self._turned + 1e-300, axis=1
+        )
 
     def shock_work(self, result: Result, first: int, last: int, shock: ContactShocks | None) -> Array:
         """Return the work on flanges by what is struck between two points of one instant.
