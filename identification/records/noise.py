@@ -15,8 +15,10 @@ NOISE_BAND = (0.6, 0.95)  # of the spectrum
 LEAST_RANGE_SHARE = 1e-6
 ROUNDING_SHARE = 1e-9  # of a range, up to which differences are none
 EVENTFUL_RATIO = 1.5  # of what the quietest instants have, above which a signal has events; noise has 1
+LEAST_QUIET_SHARE = 5e-5  # of a range, below which they are no noise, but a coarse sensor that stands still
 QUIETEST = 0.25  # of the instants
 FEWEST_INSTANTS = 200  # of which some are known to be quiet
+MOST_UNLIKE = 3.0, 20.0  # that these have over the quieter half of them, and half of all over them; noise: 1
 NORMAL_SCATTER = 1.4826  # standard deviations of a normal distribution in its median absolute deviation
 
 
@@ -81,7 +83,7 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     """
     density = density_of(values)
     level = _level(density, NOISE_BAND)
-    quiet = _quietest(values)
+    quiet = _quiet_noise(values)
     eventful = level > EVENTFUL_RATIO * quiet
     sigma = quiet if eventful else level
     quantum = _quantum(values) / np.sqrt(12)
@@ -196,15 +198,37 @@ def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
 def _quietest(values: Array) -> float:
     """Return the standard deviation of white noise with the third differences of the quietest instants.
 
-    Neighbours that were held or interpolated tell of no noise, and do not count. Infinite for few instants.
+    Infinite for few instants.
+    """
+    return _by_instants(values)[1]
+
+
+def _quiet_noise(values: Array) -> float:
+    """Return that of the quietest instants; infinite where these are no noise.
+
+    They are what interpolation has left between the steps of a sensor, if others have far more, or they have
+    next to nothing.
+    """
+    quieter, quiet, half = _by_instants(values)
+    like = quiet < MOST_UNLIKE[0] * quieter and half < MOST_UNLIKE[1] * quiet
+    return quiet if like and quiet > LEAST_QUIET_SHARE * np.ptp(values) else inf
+
+
+def _by_instants(values: Array) -> tuple[float, float, float]:
+    """Return what third differences tell of the quieter of the quiet instants, of these, and of half of all.
+
+    Each is the standard deviation of white noise that has as much there. Neighbours that were held or
+    interpolated tell of no noise, and do not count.
     """
     from scipy.stats import halfnorm
 
     change = np.abs(np.diff(values, 3)) / np.sqrt(1 + 9 + 9 + 1)
     change = change[change > ROUNDING_SHARE * np.ptp(values)]
     if len(change) < FEWEST_INSTANTS:
-        return inf
-    return float(np.quantile(change, QUIETEST) / halfnorm.ppf(QUIETEST))
+        return inf, inf, inf
+    shares = np.array([0.5 * QUIETEST, QUIETEST, 0.5])
+    quieter, quiet, half = (np.quantile(change, shares) / halfnorm.ppf(shares)).tolist()
+    return quieter, quiet, half
 
 
 def _banded(values: Array, band: tuple[float, float]) -> Array:

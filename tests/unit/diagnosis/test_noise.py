@@ -242,6 +242,17 @@ def test_impacts_are_no_noise_however_often_and_evenly_they_come() -> None:
     assert not is_noise(jumps + noise, drive, RATE, 8)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.4, 0.8])
+def test_a_coarse_encoder_that_is_read_between_its_clock_is_no_quieter_at_rest(share: float) -> None:
+    """It creeps by steps, and stands still for a share of the time; the logger interpolates."""
+    rng, step = np.random.default_rng(4), 1.5e-3
+    t = np.arange(0.0, 15.0, 0.02) + 2e-4 * rng.standard_normal(750)
+    moved = np.where(np.sin(2 * np.pi * t / 3.0) > np.cos(np.pi * (1 - share)), 0.012, 0.0) * np.gradient(t)
+    place = np.round(np.cumsum(moved) / step) * step + 1e-6 * rng.integers(-1, 2, len(t))
+    even = np.arange(0.0, 14.9, 0.02006)
+    assert spectral_floor(np.interp(even, t, place)).sigma > 0.2 * step / np.sqrt(12)
+
+
 def test_white_noise_is_no_effect_however_little_was_stated(cart: Any) -> None:
     records = [noisier(cart.measured(cart.rig(k=820.0), n), 3.0, n) for n in (1, 2, 3)]
     found = verdict_on(cart, records, noise={"x": NOISE})
