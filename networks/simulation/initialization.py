@@ -103,7 +103,7 @@ def start_values(dae: DAE, start: Mapping[str, float], guess: Mapping[str, float
     """
     _check_names(dae, {**start, **guess})
     from_run = {dae.root(name)[0] for name in start}
-    everywhere = from_run.issuperset(dae.states)
+    everywhere = bool(dae.states) and from_run.issuperset(dae.states)
     given = {n: v for n, v in _given(dae) if not everywhere and dae.root(n)[0] not in from_run}
     fixed: dict[int, tuple[str, float]] = {}
     clashes = []

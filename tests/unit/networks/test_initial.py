@@ -45,6 +45,13 @@ def test_a_run_that_fixes_every_state_leaves_components_nothing_to_fix() -> None
     assert told(run) == ["mass.s = 0.2 m: fixed", "mass.v = 0.5 m/s: fixed"]
 
 
+def test_where_there_is_no_state_what_a_component_fixes_still_has_to_hold() -> None:
+    net = ia.Network("pushed", table=ia.Position(), mass=ia.Mass(m=2.0, s=0.05))
+    net.connect(net.table.flange, net.mass.flange)
+    with pytest.raises(ia.InitialConditionError, match=r"'mass.s' = 0.05 m cannot be reached"):
+        net.simulate(0.1, inputs={"table.s_ref": lambda t: 0.01 * t})
+
+
 def test_an_alias_fixes_the_state_behind_it() -> None:
     run = oscillator().simulate(0.1, start={"spring.flange_b.s": 0.3})
     assert told(run)[0] == "mass.s = 0.3 m: fixed through spring.flange_b.s"
