@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...base import Array, computing
-from ...components import ModelError, nearest
+from ...components import ModelError, SimulationError, nearest
 from ..criteria import FORCE_SUFFICES, PART_CHI_SQUARED
 from ..effects.effect import Motion
 from ..effects.sites import Site
@@ -163,12 +164,13 @@ def force_of(study: Study, refit: Refit, site: str | None = None) -> MissingForc
     first = Search(study, refit)
     number = _number(first, site)
     search, ranked, settled = first, *first.best(number)
-    if settled.misfit > FORCE_SUFFICES:
-        given = study.campaign.start
-        other = Search(study, replace(refit, parameters=given, starts=[{} for _ in refit.starts]))
-        again = other.best(number)
-        if again[1].misfit < settled.misfit:
-            search, ranked, settled = other, *again
+    given = study.campaign.start
+    if settled.misfit > FORCE_SUFFICES and refit.parameters != given:
+        with suppress(ModelError, SimulationError):
+            other = Search(study, replace(refit, parameters=given, starts=[{} for _ in refit.starts]))
+            again = other.best(number)
+            if again[1].misfit < settled.misfit:
+                search, ranked, settled = other, *again
     most = max(evidence for _, evidence, _ in ranked)
     records = tuple(
         ForceOverTime(run.experiment.name, force.t, force.values, error.values, run.motion(settled.number))
