@@ -16,7 +16,8 @@ from ..models.force import Force, push_of
 from ..models.network_predictor import NetworkPredictor
 from ..models.probes import motion_at
 from ..models.study import Study
-from ..search.record_start import nuisance_slopes
+from ..search.record_run import RecordRun
+from ..search.record_start import begun, nuisance_slopes
 from .course import Course
 
 
@@ -61,6 +62,19 @@ class Bench:
         stand = self.predictor.stand(driven(experiment, self.effects), number, force)
         found = stand.run({**given, **begin.own}, begin.start, self.accuracy)
         return Beside(self, experiment, given, begin, number, force, found)
+
+    def nearest(self, experiment: Experiment, given: Mapping[str, float]) -> Beside:
+        """Run a record from where it begins nearest to it."""
+        stand = self.predictor.stand(driven(experiment, self.effects))
+
+        def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
+            values = {**given, **own}
+            return RecordRun(experiment, self.effects, values, start, stand.run(values, start, self.accuracy))
+
+        run, _ = begun(experiment, lambda: stand.rest(dict(given)), run_from)
+        assert isinstance(run.found, Prediction)
+        own = {name: run.given[name] for name in experiment.unknown}
+        return Beside(self, experiment, given, Begin(run.start, own), 0, None, run.found)
 
 
 @dataclass(frozen=True, eq=False)

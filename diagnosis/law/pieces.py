@@ -19,13 +19,10 @@ from ..criteria import (
     LOST_LENGTH_SHARE,
     LOST_STANDARD_DEVIATIONS,
     PIECE_GROWS,
-    PIECE_HALVINGS,
     PIECE_KEPT,
     PIECE_MOST_SAMPLES,
     PIECE_SAMPLES,
     PIECE_STARTS,
-    PIECE_STEPS,
-    PIECE_WON,
     PIECES,
     PIECES_AT_FIRST,
     PIECES_SPREAD,
@@ -81,7 +78,8 @@ class Follower:
         """Tell whether a run of a piece follows all of it, and misses little where that is to be close."""
         if self.followed(run, along, begin) < len(run.found.at):
             return False
-        return self.missed is None or _rms(run) < LOST_LEAST or _rms(run) < LOST_GAP_SHARE * self._bare(run)
+        missed = _rms(run)
+        return self.missed is None or missed < LOST_LEAST or missed < LOST_GAP_SHARE * self._bare(run)
 
     def _bare(self, run: Beside) -> float:
         """Return what the model without what is to follow misses of a piece."""
@@ -126,11 +124,11 @@ def cut(study: Study, follower: Follower, runs: Sequence[Beside]) -> Study:
 def _few(follower: Follower, along: Beside) -> list[Experiment]:
     """Return the pieces of a record; parts that are spread over it if those are many, or followed closely."""
     if follower.missed is None:
-        found, length = list[Experiment](), float(np.ptp(along.experiment.compared.time))
+        found, (begin, end) = list[Experiment](), along.experiment.compared.time[[0, -1]]
         for piece in _pieces(follower, along):
             found.append(piece)
-            passed = sum(float(np.ptp(one.compared.time)) for one in found)
-            if len(found) > max(PIECES * passed / length, PIECES_AT_FIRST):
+            passed = (piece.compared.time[-1] - begin) / (end - begin)
+            if len(found) > max(PIECES * passed, PIECES_AT_FIRST):
                 break
         else:
             return found
@@ -143,7 +141,8 @@ def _spread(follower: Follower, along: Beside) -> Iterator[Experiment]:
     Those that are followed closely are short, as impacts make much of small errors.
     """
     end, last = 0, len(along.experiment.compared.time) - 1
-    most, grows = (last, 2.0) if follower.missed is None else (PIECE_MOST_SAMPLES, PIECE_GROWS)
+    closely = follower.missed is not None
+    most, grows = PIECE_MOST_SAMPLES if closely else last, PIECE_GROWS[closely]
     for begin, part in follower.spread(along, PIECES_SPREAD, PIECE_SAMPLES):
         found = None if begin < end else _grown(follower, along, begin, part, min(most, last - begin), grows)
         if found is not None:
@@ -158,42 +157,17 @@ def _grown(
     kept, time = None, float(part.compared.time[0])
     while True:
         end = len(part.compared.time) - 1
-        run = _nearest(follower.bench, part, follower.given)
-        if run is None or not follower.follows(run, along, begin):
+        try:
+            run = follower.bench.nearest(part, follower.given)
+        except SimulationError:
+            return kept
+        if not follower.follows(run, along, begin):
             return kept
         motion = _motion(run, time, follower)
         kept = along.experiment.part(begin, begin + end, motion)
         if end == last:
             return kept
         part = along.experiment.part(begin, begin + min(ceil(grows * end), last), motion)
-
-
-def _nearest(bench: Bench, part: Experiment, given: Mapping[str, float]) -> Beside | None:
-    """Return the run of a part that is nearest, by steps of Gauss and Newton; None if it can't be run."""
-    try:
-        run = bench.run(part, given, bench.begin(part, given, {}))
-    except SimulationError:
-        return None
-    for _ in range(PIECE_STEPS):
-        columns, _, priors = run.columns(fixed=True)
-        step = own_of(columns[:, :, 0], columns[:, :, 1:], priors)
-        nearer = _nearer(bench, run, step)
-        if nearer is None:
-            break
-        run, before = nearer, run
-        if run.squares > (1 - PIECE_WON) * before.squares:
-            break
-    return run
-
-
-def _nearer(bench: Bench, run: Beside, step: Array) -> Beside | None:
-    """Return a run that begins on a way and misses less; None if none does."""
-    for halvings in range(PIECE_HALVINGS):
-        with suppress(SimulationError):
-            other = bench.run(run.experiment, run.given, run.began(step / 2**halvings, 0))
-            if other.squares < run.squares:
-                return other
-    return None
 
 
 def _pieces(follower: Follower, along: Beside) -> Iterator[Experiment]:
