@@ -2,8 +2,8 @@
 
 The machine that is measured differs each time, the model never: nothing at all, parameters only, friction,
 more of everything by 3 % (a heavier carriage, or a position sensor that reads 3 % low: a force alone cannot
-tell), a stop that no known effect is like but a law of position is, and a
-part that hangs loosely on it and swings, which no law is.
+tell), a stop that no known effect is like but a law of position is, and a part that hangs on it and swings,
+which no law is.
 
     python examples/verdicts.py [CASE]
 """

@@ -93,7 +93,7 @@ class InPieces:
     def _learnt(self) -> tuple[Law | None, list[Candidate]]:
         """What is learnt of the law, until it follows the records or an effect that is like it is near."""
         law, listed = None, list[Candidate]()
-        for law, left in _learnt(self.study, self.drawn, self.missing):
+        for law, left in _rounds(self.study, self.drawn, self.missing):
             listed = likened_across(law, self.model)
             if listed and left < LOST_LEAST:
                 break
@@ -138,7 +138,7 @@ class InPieces:
         return Search(replace(self.study, campaign=campaign), near).settled(number, rough).runs
 
 
-def _learnt(study: Study, law: Law, missing: MissingForce) -> Iterator[tuple[Law, float]]:
+def _rounds(study: Study, law: Law, missing: MissingForce) -> Iterator[tuple[Law, float]]:
     """Yield a law fitted to pieces of the training records, and what it misses of them [noise], ever less.
 
     What is learnt of it makes them longer. A law that foresees little of the force is not fitted.

@@ -178,9 +178,10 @@ class Search:
         Where parameters would go farther than slopes hold, it is the force beside those that go as far.
         """
         courses, rough = passed.courses, passed.roughness
-        given = self._given(here[0].given, passed.unknown[0, 0, : courses[0].shared])
+        wanted = passed.unknown[0, 0, : courses[0].shared]
+        given = self._given(here[0].given, wanted)
         moved = (np.array([*given.values()]) - self.bench.centers) / self.bench.scales
-        if not np.allclose(moved, passed.unknown[0, 0, : courses[0].shared]):
+        if not np.allclose(moved, wanted):
             passed = filtered([course.held(moved) for course in courses], rough)
         forces, errors = (
             [Force(beside.t, part[: len(beside.t), place, 0]) for place, beside in enumerate(here)]

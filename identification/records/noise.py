@@ -207,7 +207,7 @@ def _quiet_noise(values: Array) -> float:
     """Return that of the quietest instants; infinite where these are no noise.
 
     They are what interpolation has left between the steps of a sensor, if others have far more, or they have
-    next to nothing.
+    next to nothing. A sensor that is as quiet, on a machine that rattles, looks the same: state its noise.
     """
     quieter, quiet, half = _by_instants(values)
     like = quiet < MOST_UNLIKE[0] * quieter and half < MOST_UNLIKE[1] * quiet

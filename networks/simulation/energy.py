@@ -185,9 +185,8 @@ class _Signals:
         bend = (np.abs(a) + np.abs(b)) / 12
         unsure = np.hstack([h * bend[:, powers], np.abs((y1 - y0)[:, position]) * bend[:, force]])
         doubtful = np.any(bend > BEND_SHARE * self._ranges + 1e-300, axis=1)
-        return np.hstack([gained, work]), doubtful | np.any(
-            unsure > BEND_SHARE * self._turned + 1e-300, axis=1
-        )
+        doubtful |= np.any(unsure > BEND_SHARE * self._turned + 1e-300, axis=1)
+        return np.hstack([gained, work]), doubtful
 
     def shock_work(self, result: Result, first: int, last: int, shock: ContactShocks | None) -> Array:
         """Return the work on flanges by what is struck between two points of one instant.

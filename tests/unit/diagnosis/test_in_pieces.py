@@ -10,13 +10,15 @@ import numpy as np
 import pytest
 from inertance.diagnosis import Verdict
 from inertance.diagnosis.criteria import PIECE_SAMPLES
-from inertance.diagnosis.law import pieces
+from inertance.diagnosis.law import missing_force, pieces
 from inertance.diagnosis.law.in_pieces import InPieces
-from inertance.diagnosis.law.missing_force import force_of
+from inertance.diagnosis.law.missing_force import MissingForce, force_of
 from inertance.diagnosis.law.pieces import Follower
 from inertance.diagnosis.law.polish import placed
+from inertance.diagnosis.law.search import Search
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.verdict.beyond import beyond_the_list
 from inertance.diagnosis.verdict.decide import decided
 from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
@@ -116,31 +118,42 @@ def test_pieces_are_whole_records_and_begin_where_the_machine_is(study: Study, v
         assert np.abs(np.subtract(measured, begun)).max() < 30 * NOISE
 
 
-def test_records_without_a_test_among_them_are_cut_as_well(study: Study) -> None:
-    untested = copy(study.campaign)
-    untested.testing = []
-    alone = Study(untested, study.accuracy)
-    base = JointFit(alone, untested.start).fitted()
-    missing = force_of(alone, base)
-    cut = InPieces(alone, base, missing, missing.law(("position",)), {}).cut_by_law()
+@pytest.fixture(scope="module")
+def untested(study: Study) -> Study:
+    """Return the study without its test record."""
+    campaign = copy(study.campaign)
+    campaign.testing = []
+    return Study(campaign, study.accuracy)
+
+
+@pytest.fixture(scope="module")
+def base(untested: Study) -> Refit:
+    return JointFit(untested, untested.campaign.start).fitted()
+
+
+@pytest.fixture(scope="module")
+def missing(untested: Study, base: Refit) -> MissingForce:
+    return force_of(untested, base)
+
+
+def test_records_without_a_test_among_them_are_cut_as_well(
+    untested: Study, base: Refit, missing: MissingForce
+) -> None:
+    cut = InPieces(untested, base, missing, missing.by_position, {}).cut_by_law()
     assert cut is not None
     assert not cut.campaign.testing
-    assert {part.source for part in cut.campaign.training} == {e.source for e in untested.training}
+    assert {part.source for part in cut.campaign.training} == {e.source for e in untested.campaign.training}
 
 
 def test_parts_are_taken_of_a_record_that_would_fall_into_many_pieces(
-    study: Study, monkeypatch: pytest.MonkeyPatch
+    untested: Study, missing: MissingForce, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(pieces, "PIECES", 0)
     monkeypatch.setattr(pieces, "PIECES_AT_FIRST", 0)
-    untested = copy(study.campaign)
-    untested.testing = []
-    alone = Study(untested, study.accuracy)
-    missing = force_of(alone, JointFit(alone, untested.start).fitted())
     law = missing.by_position
-    follower = Follower.of(alone, missing, law, placed(law), law.given)
-    cut = pieces.cut(alone, follower, missing.settled.runs)
-    for whole in untested.training:
+    follower = Follower.of(untested, missing, law, placed(law), law.given)
+    cut = pieces.cut(untested, follower, missing.settled.runs)
+    for whole in untested.campaign.training:
         parts = [part for part in cut.campaign.training if part.source == whole.source]
         assert parts
         assert all(a.record.time[-1] <= b.record.time[0] for a, b in pairwise(parts))
@@ -155,12 +168,28 @@ def test_the_force_is_found_beside_parameters_far_from_where_they_were_given() -
     assert missing.misfit < 1.1 < 10 < missing.before
 
 
-def test_the_force_is_found_where_a_fit_without_it_has_gone_astray(study: Study) -> None:
-    base = JointFit(study, study.campaign.start).fitted()
+def test_the_force_is_found_where_a_fit_without_it_has_gone_astray(untested: Study, base: Refit) -> None:
     astray = replace(base, parameters={"spring.k": 0.0, "spring.d": 2500.0})
-    missing = force_of(study, astray)
-    assert missing.misfit < 1.4 < 10 < missing.before
-    assert missing.law(("position",)).explained > 0.98
+    found = force_of(untested, astray)
+    assert found.misfit < 1.4 < 10 < found.before
+    assert found.by_position.explained > 0.98
+
+
+def test_a_force_that_was_found_stays_where_another_place_to_seek_it_from_fails(
+    untested: Study, base: Refit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(missing_force, "FORCE_SUFFICES", 0.0)
+    begun = []
+
+    def fails_next(*given: Any) -> Search:
+        begun.append(given)
+        if len(begun) > 1:
+            raise ia.SimulationError("the parameters that were given cannot be run")
+        return Search(*given)
+
+    monkeypatch.setattr(missing_force, "Search", fails_next)
+    assert force_of(untested, base).misfit < 2.0
+    assert len(begun) == 2
 
 
 def test_windows_of_one_file_begin_each_where_it_does() -> None:
