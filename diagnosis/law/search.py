@@ -18,6 +18,7 @@ from ..criteria import (
     FORCE_SETTLED,
     FORCE_SIZE_RATIO,
     FORCE_WON_SHARE,
+    PART_CHI_SQUARED,
 )
 from ..models.force import Force
 from ..models.study import Study
@@ -100,8 +101,11 @@ class Search:
         settled = self.settled(ranked[0][0], ranked[0][2])
         if len(numbers) > 1:
             ranked = self.rank(settled.runs, numbers, sizes)
+        here = next(one for one in ranked if one[0] == settled.number)
+        if number is None and here[1] > ranked[0][1] - PART_CHI_SQUARED / 2:
+            return [here, *(one for one in ranked if one is not here)], settled
         chosen = next(one for one in ranked if number in (None, one[0]))
-        if chosen[0] != settled.number:
+        if chosen is not here:
             settled = self.settled(chosen[0], chosen[2], settled.runs)
         return ranked, settled
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...base import Array
-from ...identification import Experiment
-from ...identification.records.record import Channel
+from ...components import Sampled
 
-FORCE = "missing force"  # the channel by which it acts
+SAME_INSTANT = 1e-3  # [sample] between the points of a run before and after an event, at most
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,15 +23,12 @@ class Force:
         """Return it at instants."""
         return np.interp(t, self.t, self.values)
 
-
-def pushed(
-    experiment: Experiment, channels: Mapping[str, Channel], number: int, force: Force
-) -> tuple[Experiment, dict[str, Channel]]:
-    """Return an experiment and its channels with a force at one of the sites that are probed."""
-    record = experiment.record
-    record = replace(record, values={**record.values, FORCE: force.at(record.time)})
-    channel = Channel(push_of(number), True, "", "", "linear")
-    return replace(experiment, record=record), {**channels, FORCE: channel}
+    def signal(self, t: Array) -> Sampled:
+        """Return it as an input signal of a run with such instants, straight between these and its own."""
+        own = self.t[(self.t > t[0]) & (self.t < t[-1])]
+        points = np.union1d(t, own)
+        apart = np.diff(points, prepend=-np.inf) > SAME_INSTANT * (t[1] - t[0])
+        return Sampled(points[apart], self.at(points[apart]), interpolation="linear")
 
 
 def push_of(number: int) -> str:

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 from ...base import Array
 from ...components import ModelError
 from ...identification import Campaign, Change, Experiment, RecordModel
-from ...identification.records.record import Channel
 from ...networks import DAE, Variations
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, with_effects
 from ..effects.sites import Site
-from .force import Force, pushed
+from .force import Force, push_of
 from .probes import motion_at, probed
 
 
@@ -41,18 +40,19 @@ class NetworkPredictor:
         self, experiment: Experiment, number: int | None = None, force: Force | None = None
     ) -> RecordModel:
         """Return the network on a record, if it is given with a force at one of the sites."""
-        channels: Mapping[str, Channel] = self.channels
+        pushed = {}
         if number is not None and force is not None:
-            experiment, channels = pushed(experiment, channels, number, force)
+            pushed[push_of(number)] = force.signal(experiment.compared.time)
         offsets = {f"{clock}.offset": -experiment.began for clock in self.clocks}
         set_back = replace(experiment, values={**experiment.values, **offsets})
         if experiment.change is None or not experiment.change.rebuilds:
-            return RecordModel(self.dae, set_back, channels, self.variations, self.own)
+            return RecordModel(self.dae, set_back, self.channels, self.variations, self.own, pushed)
         dae = self._rebuilt(experiment.change)
         outputs = [c.path for c in self.channels.values() if not c.driven]
         parameters = [path for path in self.parameters if not experiment.change.replaces(path)]
         own = [path for path in self.own if not experiment.change.replaces(path)]
-        return RecordModel(dae, set_back, channels, Variations(dae, outputs, [*parameters, *own]), own)
+        variations = Variations(dae, outputs, [*parameters, *own])
+        return RecordModel(dae, set_back, self.channels, variations, own, pushed)
 
     def _rebuilt(self, change: Change) -> DAE:
         """Return the equations with the components changed, once no effect is seen to go with them."""

@@ -6,12 +6,13 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Array
-from ...components import ModelError, SimulationError
+from ...components import ModelError, Sampled, SimulationError
 from ...networks import (
     ATOL,
     DAE,
@@ -128,6 +129,7 @@ class RecordModel:
     """A network on one record: its own equations with the record's inputs, compiled once.
 
     Of the parameters of `variations`, the last may be `own`: those of which records have values of their own.
+    Inputs may have signals that were not recorded, by their paths.
     """
 
     def __init__(
@@ -137,6 +139,7 @@ class RecordModel:
         channels: Mapping[str, Channel],
         variations: Variations,
         own: Sequence[str] = (),
+        signals: Mapping[str, Sampled] = MappingProxyType({}),
     ) -> None:
         self.dae, self.variations = replace(dae, bindings={}), variations
         self.experiment, self.record = experiment, experiment.compared
@@ -144,7 +147,8 @@ class RecordModel:
         self.shared = len(variations.parameters) - len(own)
         self.own = [self.shared + list(own).index(name) for name in experiment.unknown]
         whole, driven = experiment.record, [(name, c) for name, c in channels.items() if c.driven]
-        self.inputs = {c.path: whole.sampled(name, c.interpolation, c.delay) for name, c in driven}
+        recorded = {c.path: whole.sampled(name, c.interpolation, c.delay) for name, c in driven}
+        self.inputs = {**recorded, **signals}
         self.state_names = dae.state_names
         self._simulate = partial(simulate, self.dae, inputs=self.inputs, progress=False)
         self._measured_starts: dict[float, dict[str, float]] = {}  # by instant

@@ -23,7 +23,7 @@ from .events.functions import SwitchFunctions
 from .events.shocks import Shocks
 from .input_signals import Polynomial, SignalKey, chosen_signals, input_value
 from .integrator import Stepper
-from .legs import Leg, legs_of
+from .legs import Leg, legs_of, together
 from .splines import sampled_at
 from .time_signals import TimeSignals, timed_rows
 
@@ -182,29 +182,23 @@ class BoundDAE:
     @cached_property
     def timed_rows(self) -> Any:
         """What the equations hold that depends on time, inputs and parameters alone, as SX."""
-        given = [k for k, (_, signal) in enumerate(self.given) if not isinstance(signal, Polynomial)]
-        known, key = self.dae.timed, (*given, bool(self.courses))
+        signals = [signal for _, signal in self.given]
+        still = tuple(k for k, signal in enumerate(signals) if isinstance(signal, Real))
+        given = tuple(k for k, s in enumerate(signals) if k not in still and not isinstance(s, Polynomial))
+        known, key = self.dae.timed, (given, still, bool(self.courses))
         if key not in known:
-            known[key] = timed_rows(self.dae, given, watched=bool(self.courses))
+            known[key] = timed_rows(self.dae, *key)
         return known[key]
 
     def legs(self, q: Array, begin: float, stop: float) -> list[Leg]:
         """Return the parts of a run between the instants at which inputs switch; found once for each run."""
         parameters = q[: self.dae.p.numel()]
         signals = TimeSignals(self, parameters, begin, stop)
-        known: dict[Any, list[Leg]] = self._legs
-        told: Any = b""
-        if signals.plain is not None:
-            given = {(k, self.given[k][0].order): self.given[k][1] for k in signals.plain}
-            known, told = _LEGS, SignalKey(given)
-        elif ca.depends_on(self.timed_rows, self.dae.p):
-            told = parameters.tobytes()
-        key = begin, stop, told
-        if key not in known:
-            known[key] = legs_of(signals, begin, stop)
-            if len(known) > CACHED_LEGS:
-                known.pop(next(iter(known)), None)
-        return known[key]
+        if signals.plain is None:
+            told = parameters.tobytes() if ca.depends_on(self.timed_rows, self.dae.p) else b""
+            return _known_legs(self._legs, told, signals, begin, stop)
+        parts = [_known_legs(_LEGS, told, part, begin, stop) for told, part in signals.apart()]
+        return together(parts) if parts else [Leg(begin, stop)]
 
 
 def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
@@ -219,6 +213,17 @@ def bound(dae: DAE, inputs: Mapping[str, Any]) -> BoundDAE:
     if len(known) > CACHED_BINDINGS:
         del known[next(iter(known))]
     return binding
+
+
+def _known_legs(
+    known: dict[Any, list[Leg]], told: Any, signals: TimeSignals, begin: float, stop: float
+) -> list[Leg]:
+    key = begin, stop, told
+    if key not in known:
+        known[key] = legs_of(signals, begin, stop)
+        if len(known) > CACHED_LEGS:
+            known.pop(next(iter(known)), None)
+    return known[key]
 
 
 def _courses(first: int, signals: Mapping[str, Any]) -> dict[str, slice]:

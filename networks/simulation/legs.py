@@ -7,6 +7,7 @@ arithmetic, which misses no switch, and by samples, which tell how fine a course
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -57,6 +58,26 @@ def legs_of(signals: TimeSignals, begin: float, stop: float) -> list[Leg]:
         return [Leg(begin, stop)]
     spans = _spans(signals, begin, stop) or (np.array([begin]), np.array([stop]))
     return _legs_between(signals, *spans)
+
+
+def together(parts: Sequence[Sequence[Leg]]) -> list[Leg]:
+    """Return the legs of a run whose signals have legs each: none steps over any of them."""
+    if len(parts) == 1:
+        return [*parts[0]]
+    begins = np.unique([leg.begin for legs in parts for leg in legs])
+    end, step, jumps = (
+        np.append(begins[1:], np.inf),
+        np.full(len(begins), np.inf),
+        np.zeros(len(begins), bool),
+    )
+    for legs in parts:
+        own = np.array([leg.begin for leg in legs])
+        at = np.searchsorted(own, begins, side="right") - 1
+        end = np.minimum(end, np.array([leg.end for leg in legs])[at])
+        step = np.minimum(step, np.array([leg.max_step for leg in legs])[at])
+        jumps |= np.array([leg.jumps for leg in legs])[at] & (own[at] == begins)
+    columns = begins.tolist(), end.tolist(), step.tolist(), jumps.tolist()
+    return [Leg(*told) for told in zip(*columns, strict=True)]
 
 
 def endless_legs(signals: TimeSignals, stop: float) -> list[Leg]:

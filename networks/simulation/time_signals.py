@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ from ...base import Array, Flags, ModelError
 from ...components.language import Sampled
 from ..evaluation.compiled import Batch
 from ..flattening.vectors import column, pick, stacked
-from .input_signals import Polynomial, input_value
+from .input_signals import Polynomial, SignalKey, input_value
 from .intervals import Bounds, Enclosure, instructions
 from .splines import breaks, sampled_at
 
@@ -30,12 +30,25 @@ class TimeSignals:
     """The largest expressions of time, inputs and parameters alone that the equations of a network hold.
 
     Inputs that only numbers can be put into are drawn from `begin` to `stop` [s].
+
+    Args:
+        closed: the equations with their inputs.
+        parameters: their numbers.
+        begin, stop: first and last instant [s].
+        places: of some of the expressions, if not all are meant.
     """
 
-    def __init__(self, closed: BoundDAE, parameters: Array, begin: float, stop: float) -> None:
+    def __init__(
+        self,
+        closed: BoundDAE,
+        parameters: Array,
+        begin: float,
+        stop: float,
+        places: Sequence[int] | None = None,
+    ) -> None:
         self._closed, self._dae = closed, closed.dae
         self._parameters, self._span = parameters, (begin, stop)
-        self._rows = closed.timed_rows
+        self._rows = closed.timed_rows if places is None else pick(closed.timed_rows, places)
         self.count: int = self._rows.numel()
         self._enclosure = cache(self._enclosed)
 
@@ -60,6 +73,18 @@ class TimeSignals:
         place = {u.nz[k].element_hash(): k for k in range(u.numel())}
         found = [place.get(self._rows.nz[row].element_hash()) for row in range(self.count)]
         return None if None in found else [k for k in found if k is not None]
+
+    def apart(self) -> list[tuple[SignalKey, TimeSignals]]:
+        """Return what is of each input alone, with what tells it from others, if all are plain inputs."""
+        given = [self._closed.given[k] for k in self.plain or ()]
+        rows: dict[int, list[int]] = {}
+        for row, (_, signal) in enumerate(given):
+            rows.setdefault(id(signal), []).append(row)
+        found = []
+        for places in rows.values():
+            told = SignalKey({given[row][0].order: given[row][1] for row in places})
+            found.append((told, TimeSignals(self._closed, self._parameters, *self._span, places)))
+        return found
 
     def bounds(self, low: Array, high: Array) -> tuple[Array, Array]:
         """Return what the signals can be within intervals, (intervals, signals)."""
@@ -107,8 +132,9 @@ class TimeSignals:
 
     @cached_property
     def _drawn(self) -> list[int]:
-        """Places of the inputs that are known by numbers, not by a formula."""
-        return [k for k in range(len(self._dae.inputs)) if k not in self._formulas]
+        """Places of the inputs that are in them and known by numbers, not by a formula."""
+        there = set(ca.jacobian_sparsity(self._rows, self._dae.u).get_triplet()[1])
+        return [k for k in sorted(there) if k not in self._formulas]
 
     @cached_property
     def _formulas(self) -> dict[int, Any]:
@@ -174,10 +200,11 @@ def _range(times: Array, values: Array, low: Array, high: Array) -> Bounds:
     return np.minimum.reduceat(padded, pairs)[::2], np.maximum.reduceat(padded, pairs)[::2]
 
 
-def timed_rows(dae: DAE, given: Sequence[int], watched: bool = False) -> Any:
+def timed_rows(dae: DAE, given: Sequence[int], still: Sequence[int] = (), watched: bool = False) -> Any:
     """Return the largest expressions of time, given inputs and parameters alone in the equations of a DAE.
 
-    Given inputs are told by their places; where they are `watched` from outside, they themselves count.
+    Given inputs are told by their places, and those that are `still` all the time; where they are `watched`
+    from outside, they themselves count.
     """
     jumping = dae.jumps.watched if dae.jumps else ca.SX(0, 1)
     indicators = pick(dae.switching.expressions, [c.indicator for c in dae.switching.changes])
@@ -185,24 +212,26 @@ def timed_rows(dae: DAE, given: Sequence[int], watched: bool = False) -> Any:
     moved = ca.jacobian_sparsity(equations, ca.vertcat(pick(dae.u, given), dae.time)).row()
     if not moved:
         return ca.SX(0, 1)
-    return _largest(dae, pick(equations, sorted(set(moved))), set(given))
+    return _largest(dae, pick(equations, sorted(set(moved))), given, still)
 
 
-def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
+def _largest(dae: DAE, equations: Any, given: Sequence[int], still: Sequence[int]) -> Any:
+    inputs = {**dict.fromkeys(given, TIMED), **dict.fromkeys(still, CONSTANT)}
+    moving = ca.vertcat(pick(dae.u, given), dae.time)
     symbols = [*dae.arguments(), dae.jumps.before if dae.jumps else ca.SX(0, 1)]
     entries = [symbol.nz[:] for symbol in symbols]
     work: dict[int, tuple[int, Any]] = {}
     found: dict[int, Any] = {}
     for operation, into, of, constant in instructions(ca.Function("equations", symbols, [equations])):
         if operation == ca.OP_INPUT:
-            work[into[0]] = _kind(of[0], of[1], dae.p.numel(), given), entries[of[0]][of[1]]
+            work[into[0]] = _kind(of[0], of[1], dae.p.numel(), inputs), entries[of[0]][of[1]]
         elif operation == ca.OP_CONST:
             work[into[0]] = CONSTANT, ca.SX(constant)
         else:
             operands = [work[place] for place in of]
             kinds, values = [kind for kind, _ in operands], [value for _, value in operands]
             if operation == ca.OP_OUTPUT or STATES in kinds:
-                timed = [_unscaled(value, symbols) for kind, value in operands if kind == TIMED]
+                timed = [_bare(value, moving) for kind, value in operands if kind == TIMED]
                 found |= {value.element_hash(): value for value in timed}
             if operation != ca.OP_OUTPUT:
                 apply = ca.SX.unary if len(values) == 1 else ca.SX.binary
@@ -211,19 +240,20 @@ def _largest(dae: DAE, equations: Any, given: set[int]) -> Any:
     return column([*found.values()])
 
 
-def _unscaled(value: Any, symbols: Sequence[Any]) -> Any:
-    """Return an expression without its factors that do not move, which say nothing of when it switches."""
-    moving = ca.vertcat(symbols[2], symbols[4])
-    while value.op() == ca.OP_MUL:
-        factors = [factor for factor in (value.dep(0), value.dep(1)) if ca.depends_on(factor, moving)]
-        if len(factors) != 1:
+def _bare(value: Any, moving: Any) -> Any:
+    """Return an expression without factors and terms that do not move: they say nothing of when it does."""
+    while value.op() in (ca.OP_MUL, ca.OP_ADD, ca.OP_SUB):
+        parts = [part for part in (value.dep(0), value.dep(1)) if ca.depends_on(part, moving)]
+        if len(parts) != 1:
             break
-        (value,) = factors
+        (value,) = parts
     return value
 
 
-def _kind(argument: int, entry: int, parameters: int, given: set[int]) -> int:
+def _kind(argument: int, entry: int, parameters: int, inputs: Mapping[int, int]) -> int:
     """Tell what an argument of the DAE's functions is: x, z, u, constants, time."""
-    if argument == 4 or (argument == 2 and entry in given):
+    if argument == 2:
+        return inputs.get(entry, STATES)
+    if argument == 4:
         return TIMED
     return CONSTANT if argument == 3 and entry < parameters else STATES
