@@ -27,6 +27,7 @@ LEAST_SPAN = 2.5  # times that frequency, up to where noise is level at least; a
 EVEN_RATIO = 6.0  # of the densities there, that noise keeps to though a filter has begun
 STEADY_SHARE = 0.5  # of the records, in which it is as strong at all times
 FOLLOWING_SHARE = 0.3  # of the power there that may be linear in an input; by chance 0.04 to 0.1 is
+MOST_SHARE = 0.15  # of what a channel moves, that is noise; what is more is a motion that the model lacks
 UNDERRATED_RATIO = 1.1  # of noise over what was thought, from which on that is corrected
 
 
@@ -50,7 +51,8 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     From some frequency on, in the mean spectrum of all records, a model says nothing of what was measured.
     Where that is level up to a multiple of this frequency, and as strong at all times, it is noise: what a
     machine does on its own falls with frequency. It is taken to be as strong below, and above as strong as
-    was measured. What follows an input is none: a random drive has an even and steady answer, too.
+    was measured. What follows an input is none: a random drive has an even and steady answer, too. Nor is what
+    no sensor would be kept with.
 
     Args:
         records: of one channel; too short ones, and those of which nothing is missed, have the noise of the
@@ -75,6 +77,8 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     }
     mean = float(np.mean([*powers.values()]))
     if mean < UNDERRATED_RATIO**2 * np.mean([record.floor.sigma**2 for record in lengths]):
+        return None
+    if mean > MOST_SHARE**2 * np.mean([np.var(record.measured) for record in lengths]):
         return None
     sigmas = [max(powers.get(record, mean) ** 0.5, record.floor.sigma) for record in records]
     highest = float(np.mean([0.5 * record.rate * share[1] for record, share in shares.items()]))
