@@ -97,7 +97,7 @@ class InPieces:
             listed = likened_across(law, self.model)
             if listed and left < LOST_LEAST:
                 break
-        return law, listed
+        return law, listed or likened_across(self.drawn, self.model)
 
     def cut_by_effect(self, one: Candidate) -> Study | None:
         """Return the records in pieces that an effect follows."""
