@@ -79,13 +79,18 @@ class InPieces:
             return []
 
     @property
+    def as_drawn(self) -> list[Candidate]:
+        """Static effects that are like the law as the force shows it."""
+        return likened_across(self.drawn, self.model)
+
+    @property
     def law(self) -> Law | None:
         """The law, fitted to pieces of the training records; None if it follows the machine nowhere long."""
         return self._learnt[0]
 
     @property
     def across(self) -> list[Candidate]:
-        """Static effects that are like the law."""
+        """Static effects that are like the law, fitted to pieces."""
         return self._learnt[1]
 
     @cached_property
@@ -97,13 +102,13 @@ class InPieces:
             listed = likened_across(law, self.model)
             if listed and left < LOST_LEAST:
                 break
-        return law, listed or likened_across(self.drawn, self.model)
+        return law, listed
 
     def cut_by_effect(self, one: Candidate) -> Study | None:
         """Return the records in pieces that an effect follows."""
         effect = Hypothesis(one.effect, one.site, f"{one.effect.kind}_1", one.values)
-        law = self.law if one.effect.is_static else None
-        return self._cut(effect, one.parameters, law or self.missing.by_position)
+        law = self.drawn if one.effect.is_static else self.missing.by_position
+        return self._cut(effect, one.parameters, law)
 
     def cut_by_law(self) -> Study | None:
         """Return the records in pieces that the law follows."""

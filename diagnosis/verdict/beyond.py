@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..criteria import LAW_LEAVES_SHARE, LOST_STANDARD_DEVIATIONS, PIECE_FITS
+from ..criteria import LAW_LEAVES_SHARE, LOST_LEAST, LOST_STANDARD_DEVIATIONS, PIECE_FITS
 from ..effects.hypothesis import Hypothesis
 from ..law.in_pieces import InPieces, likest, refitted
 from ..law.likened import likened
@@ -60,11 +60,13 @@ def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
 def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
     """Return the verdict that names an effect of the list which holds in pieces of records.
 
-    What is in series is tried first: it is told in seconds, a law in minutes.
+    What is like the force is tried first: it is told in seconds, what is like a law in pieces in minutes.
     """
     found = _fitted_in_pieces(verdict, inside, inside.in_series)
     if found is None or not found.explained:
-        found = _fitted_in_pieces(verdict, inside, inside.across) or found
+        found = _nearer(found, _fitted_in_pieces(verdict, inside, inside.as_drawn))
+        if found is None or not found.explained or found.misfit > LOST_LEAST:
+            found = _nearer(found, _fitted_in_pieces(verdict, inside, inside.across))
     return None if found is None else found.verdict([_told(inside.study, found.study)])
 
 
@@ -83,13 +85,19 @@ def _fitted_in_pieces(verdict: Verdict, inside: InPieces, likely: Sequence[Candi
         tried = Named.of(pieces, evidence, [*listed.values()], replace(evidence.refit, starts=()))
         if tried.best is None:
             break
-        found = tried if found is None or tried.explained or not found.explained else found
+        found = _nearer(found, tried)
         last, given = tried.best.effects[-1], tried.best.parameters
         if (tried.explained and last.effect.is_static) or last.values == listed[last.label].values:
             break
         chosen = replace(listed[last.label], values=dict(last.values), parameters=given, sized=True)
         listed[last.label] = chosen
     return found
+
+
+def _nearer(one: Named | None, other: Named | None) -> Named | None:
+    """Return what explains what is missing, and of two that do or do not, what misses less."""
+    there = [named for named in (one, other) if named is not None]
+    return min(there, key=lambda named: (not named.explained, named.misfit), default=None)
 
 
 def _law_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 
 from ..criteria import CERTAIN_GAP_SHARE, LAW_LEAVES_SHARE
 from ..models.study import Study
@@ -44,6 +45,11 @@ class Named:
     def explained(self) -> bool:
         """Whether the best explains what is missing."""
         return self.best is not None and explains(self.best, self.evidence.refit, self.study)
+
+    @property
+    def misfit(self) -> float:
+        """What the best misses, in units of noise."""
+        return inf if self.best is None else self.best.misfit
 
     def stands_for(self, model: Refit) -> bool:
         """Tell whether the best explains what is missing, and leaves about as little as a model."""
