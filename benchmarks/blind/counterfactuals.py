@@ -123,7 +123,8 @@ class Outcome:
         return (
             f"{self.case:3d} {self.law:14s} {self.masses} {self.change:16s} {self.verdict:10s} "
             f"{self.found:42s} {'right' if self.right else 'other':6s} "
-            f"refit {self.refit:8.3g}  after {self.after:6.3g}  0.1 % of stiffness {self.sensitivity:.2g}, drawn {self.draws}"
+            f"refit {self.refit:8.3g}  after {self.after:6.3g}  "
+            f"0.1 % of stiffness {self.sensitivity:.2g}, drawn {self.draws}"
         )
 
 

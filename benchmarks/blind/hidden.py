@@ -38,9 +38,9 @@ class Law:
     rate: Callable[[float, float, float], float] = lambda s, v, z: 0.0
 
 
-def laws(draw: np.random.Generator) -> dict[str, Law]:
+def laws(draw: np.random.Generator, least: float = 0.7, most: float = 1.3) -> dict[str, Law]:
     """Return hidden laws with sizes drawn at random."""
-    size = draw.uniform(0.7, 1.3)
+    size = draw.uniform(least, most)
     dry, cubic, drag = 1.2 * size, 6e5 * size, 60.0 * size
     height, pitch = 1.5 * size, 6e-3 * draw.uniform(0.8, 1.2)
     stiff, yielded = 900.0 * size, 1.5e-3 * draw.uniform(0.8, 1.2)
@@ -86,6 +86,12 @@ def moved(machine: Machine, law: Law, place: int, push: Push, time: Array) -> di
     span = float(time[0]), float(time[-1])
     run = solve_ivp(slope, span, np.zeros(5), method, time, rtol=1e-7, atol=1e-9, max_step=0.01)
     return {name: run.y[2 * n] for n, name in enumerate(OUTPUTS) if name == "x1" or machine.m2}
+
+
+def one_sided(draw: np.random.Generator, least: float, most: float) -> Law:
+    """Return a spring that pushes and does not pull."""
+    stiff = 300.0 * draw.uniform(least, most)
+    return Law("bilinear_stiffness", lambda s, v, z: stiff * max(s, 0.0))
 
 
 def network(machine: Machine) -> ia.Network:
