@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from functools import partial
 from pathlib import Path
 from time import monotonic
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -22,12 +23,14 @@ from .terminal import CommandConsole, progress, table_of
 
 if TYPE_CHECKING:
     from ..diagnosis import Ranked, Verdict
+    from ..identification import Interval
 
 LONGEST_LINE = 400  # characters of a line that corrects the model
 EXAMPLES = """\b
 Examples:
   inertance diagnose campaign.toml
   inertance diagnose campaign.toml --json gap.json --report gap.html
+  inertance diagnose campaign.toml --intervals
   inertance diagnose campaign.toml --jobs 4 --solver compiled
 
 A campaign names the model, the channels of its data files, the uncertain parameters, and the records to fit
@@ -41,6 +44,10 @@ def diagnose(
     jobs: Annotated[int, typer.Option(help="Processes that fit candidates; 0 for all cores.")] = 0,
     solver: Annotated[str, typer.Option(help=SOLVER_NAMES)] = "auto",
     budget: Annotated[float | None, typer.Option(help="Seconds after which nothing new is begun.")] = None,
+    intervals: Annotated[
+        bool,
+        typer.Option("--intervals", help="Tell 95 % intervals, too: by profiles of the misfit."),
+    ] = False,
     validate: Annotated[
         bool, typer.Option(help="Whether to refuse an FMU whose description its schema does not allow.")
     ] = True,
@@ -63,14 +70,15 @@ def diagnose(
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, budget=budget, report=tell)
                 stopped = False
+            known = verdict.intervals(report=tell) if intervals else {}
         except DiagnosisInterruptedError as interrupt:
-            verdict, stopped = interrupt.verdict, True
+            verdict, stopped, known = interrupt.verdict, True, {}
     wrote = []
     if json is not None:
         wrote.append(verdict.save(json))
     if report is not None:
         wrote.append(write_report(verdict, report))
-    show(verdict)
+    show(verdict, known)
     for path in wrote:
         typer.echo(f"wrote {path}")
     if stopped:
@@ -89,7 +97,7 @@ def _print(console: CommandConsole, line: str, soft_wrap: bool = False) -> None:
     console.print(line, highlight=False, markup=False, soft_wrap=soft_wrap)
 
 
-def show(verdict: Verdict) -> None:
+def show(verdict: Verdict, known: Mapping[str, Interval] = MappingProxyType({})) -> None:
     """Print a verdict: the sentence, the gap, the ranking and the lines that correct the model."""
     console = CommandConsole()
     console.print(f"[bold]{verdict.verdict}[/bold]: {escape(verdict.sentence)}", highlight=False)
@@ -106,7 +114,7 @@ def show(verdict: Verdict) -> None:
     off = f"by what they take off the squared residual of the {verdict.evidence.judged}"
     _show_ranking(console, f"effects fitted, {off}", verdict.ranking)
     _show_ranking(console, "effects fitted on top of what was found", verdict.further)
-    _show_parameters(console, verdict)
+    _show_parameters(console, verdict, known)
     told = [verdict.remainder] if verdict.remainder else []
     if verdict.law is not None:
         told.append(str(verdict.law))
@@ -160,21 +168,33 @@ def _show_ranking(console: CommandConsole, title: str, ranking: Sequence[Ranked]
         console.print(table)
 
 
-def _show_parameters(console: CommandConsole, verdict: Verdict) -> None:
-    """Print what the parameters of the network and of the effects were fitted to."""
+def _show_parameters(console: CommandConsole, verdict: Verdict, known: Mapping[str, Interval]) -> None:
+    """Print what parameters and effects were fitted to, and how well that is known."""
     campaign, refitted = verdict.evidence.campaign, verdict.evidence.refit.parameters
-    headings = ("parameter", "before", "refitted", "after", "unit", "moved")
-    title = "parameters, and by how many deviations of the prior they moved"
+    headings = ["parameter", "before", "refitted", "after", "±", "unit", "moved"]
+    headings[5:5] = ["95 % interval"] if known else []
+    title = "parameters, their standard errors, and by how many deviations of the prior they moved"
     table = table_of(title, headings, words=("parameter", "unit"), overflow="fold")
+
+    def row(name: str, numbers: Sequence[str], value: float, unit: str, moved: str) -> None:
+        error = verdict.standard_errors.get(name)
+        told = [f"{value:.5g}", "" if error is None else f"{error:.2g}"]
+        if known:
+            told.append(f"{known[name].low:.5g} to {known[name].high:.5g}" if name in known else "")
+        table.add_row(name, *numbers, *told, unit, moved)
+
     for name, value in verdict.parameters.items():
         prior = campaign.priors[name]
-        numbers = (f"{number:.5g}" for number in (campaign.start[name], refitted[name], value))
+        numbers = [f"{number:.5g}" for number in (campaign.start[name], refitted[name])]
         moved = f"{prior.moved(value):.2g}" if prior.sd < float("inf") else "bounds only"
-        table.add_row(name, *numbers, campaign.machine.unit(name), moved)
+        row(name, numbers, value, campaign.machine.unit(name), moved)
     for own in verdict.evidence.own_values:
-        table.add_row(f"{own.parameter} of {own.record}", "", "", f"{own.value:.5g}", own.unit, "")
+        row(f"{own.parameter} of {own.record}", ("", ""), own.value, own.unit, "")
     for placed in verdict.effects:
         for name, unit in placed.units(campaign).items():
-            table.add_row(f"{placed.name}.{name}", "", "", f"{placed.values[name]:.5g}", unit, "")
+            row(f"{placed.name}.{name}", ("", ""), placed.values[name], unit, "")
     if table.row_count:
         console.print(table)
+    for name, interval in known.items():
+        for line in interval.told(name):
+            _print(console, line)

@@ -13,9 +13,13 @@ from .fitting.campaign_model import Accuracy as Accuracy
 from .fitting.campaign_model import CampaignModel as CampaignModel
 from .fitting.campaign_model import Prediction as Prediction
 from .fitting.campaign_model import RecordModel as RecordModel
+from .fitting.covariance import Rows as Rows
+from .fitting.covariance import covariance as covariance
 from .fitting.doubts import left_prior as left_prior
 from .fitting.fit import fit as fit
+from .fitting.intervals import EndedEarlyError as EndedEarlyError
 from .fitting.intervals import Interval as Interval
+from .fitting.intervals import profiled as profiled
 from .fitting.least_squares import Ending as Ending
 from .fitting.least_squares import Iterate as Iterate
 from .fitting.least_squares import descent as descent
@@ -25,6 +29,7 @@ from .fitting.problem import Optimum as Optimum
 from .fitting.suspects import likely_unit as likely_unit
 from .fitting.suspects import suspects as suspects
 from .fitting.suspects import told_of as told_of
+from .fitting.uncertainty import tied as tied
 from .fitting.uncertainty import uncertainty as uncertainty
 from .records.excitation import Chirp as Chirp
 from .records.excitation import Multisine as Multisine

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -159,10 +160,16 @@ class _Fit:
         self.all_of_it = self._left(np.zeros((len(self.wanted), 0)), np.zeros(0))[1] or 1.0
 
     def of(self, shape: Values) -> tuple[dict[str, float], float]:
-        """Return sizes with a shape, and the share of the square of what is wanted that they have."""
+        """Return sizes with a shape, and the share of the square of what is wanted that they have.
+
+        A shape that numbers cannot hold has none of it.
+        """
         assert self.effect.basis is not None
-        columns = np.concatenate([np.column_stack(self.effect.basis(m, shape)) for m in self.motions])
+        with np.errstate(all="ignore"):
+            columns = np.concatenate([np.column_stack(self.effect.basis(m, shape)) for m in self.motions])
         sizes = self.effect.sizes(self.domain)
+        if not np.isfinite(columns).all():
+            return {**{size.name: 0.0 for size in sizes}, **shape}, -inf
         found, left = self._left(columns, np.array([size.low for size in sizes]))
         values = dict(zip([size.name for size in sizes], found.tolist(), strict=True))
         return {**values, **shape}, 1 - left / self.all_of_it

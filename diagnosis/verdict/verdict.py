@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from ...base import Array, check_output, write_text
-from ...identification import Campaign
+from ...base import Array, InertanceError, between, check_output, demand, function, optional, write_text
+from ...identification import Campaign, Interval
 from ...networks import Network
 from ..criteria import MOVED_STANDARD_DEVIATIONS
 from ..effects.hypothesis import Hypothesis, told, with_effects
@@ -17,6 +18,7 @@ from ..law.law import Law
 from ..law.polish import placed as law_placed
 from ..law.sought import Sought
 from ..models.study import Study
+from ..search.known import Known
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate
 from .counterfactual import Counterfactual as Counterfactual
@@ -158,6 +160,47 @@ class Verdict:
         """Say what was found, and what limits it."""
         return "\n".join([f"{self.verdict}: {self.sentence}", *self.notes])
 
+    @cached_property
+    def _known(self) -> Known:
+        """How well the parameters, and those of the effects, are known."""
+        return Known(self.evidence.study, self.evidence.after)
+
+    @cached_property
+    def standard_errors(self) -> dict[str, float]:
+        """Of parameters by path and of effects as "coulomb_friction_1.f_c" [SI units].
+
+        If the model is right; none of a verdict that was interrupted.
+        """
+        if self.verdict == "interrupted":
+            return {}
+        try:
+            return {name: error for name, error in self._known.errors.items() if name in self._fitted}
+        except InertanceError:
+            return {}
+
+    def intervals(
+        self, level: float = 0.95, report: Callable[[str], None] | None = None
+    ) -> dict[str, Interval]:
+        """Return how far the parameters, and those of the effects, may go while all others make up for it.
+
+        Profiles of the misfit of the training records, some ten fits for each; see `inertance.fit`.
+
+        Args:
+            level: the share of such intervals that hold the truth, if the model is right.
+            report: called with a line of progress.
+
+        Raises:
+            SimulationError: if the model cannot be run beside what it was fitted to.
+        """
+        demand("intervals()", level=(level, between(0.01, 0.9999)), report=(report, optional(function)))
+        return self._known.intervals(level, self._fitted, report or (lambda line: None))
+
+    @property
+    def _fitted(self) -> dict[str, float]:
+        """The parameters, and those of the effects, by name; a law's table has errors of its own."""
+        effects = {f"{p.name}.{name}": v for p in self.effects for name, v in p.values.items()}
+        return {**self.parameters, **effects}
+
     @property
     def assurance(self) -> str:
         """The confidence in each effect, in words."""
@@ -187,11 +230,13 @@ class Verdict:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the verdict as plain values, as in the JSON file."""
+        errors = self.standard_errors
         effects = [
             {
                 "kind": p.effect.kind,
                 "site": p.site.path,
                 "parameters": dict(p.values),
+                "standard_errors": {n: errors[f"{p.name}.{n}"] for n in p.values if errors},
                 "confidence": round(c, 4),
                 "same_motion": list(p.site.same),
                 **({"load": p.site.load or p.site.moving} if p.effect.place == "loaded" else {}),
@@ -217,6 +262,7 @@ class Verdict:
             "counterfactual": [one.to_dict() for one in self.counterfactual],
             "parted": [one.to_dict() for one in self.parted],
             "parameters": dict(self.parameters),
+            "standard_errors": {name: errors[name] for name in self.parameters if errors},
             "record_values": [one.to_dict() for one in self.evidence.own_values],
             "notes": list(self.notes),
         }

@@ -11,13 +11,13 @@ Sources: G. M. Ljung, G. E. P. Box, Biometrika 65 (1978) 297-303; J. Shao, C. F.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...base import Array
 from .problem import Optimum
-from .residual_block import ResidualBlock
 
 STRETCHES = 6, 12  # least and most of all records together, each left out once
 STRETCH_RATIO = 3.0  # of the length of a stretch to the time over which a residual goes on
@@ -25,7 +25,16 @@ GOES_ON = 4.0  # [standard errors of the autocorrelation of white noise] above w
 LAGS, WHITE_CHANCE = 40, 0.01  # of the autocorrelation, and below which a residual is not white
 
 
-def covariance(optimum: Optimum, blocks: Sequence[ResidualBlock], inverse: Array) -> tuple[Array, float]:
+@dataclass(frozen=True)
+class Rows:
+    """The residuals of a record: samples of each channel, one below the other, then others."""
+
+    channels: int
+    samples: int
+    total: int
+
+
+def covariance(optimum: Optimum, blocks: Sequence[Rows], inverse: Array) -> tuple[Array, float]:
     """Return the covariance of parameters and nuisances, and the degrees of freedom by which it is known.
 
     Args:
@@ -41,14 +50,14 @@ def covariance(optimum: Optimum, blocks: Sequence[ResidualBlock], inverse: Array
     return found + known, freedom
 
 
-def _channels(blocks: Sequence[ResidualBlock]) -> Iterator[slice]:
+def _channels(blocks: Sequence[Rows]) -> Iterator[slice]:
     """Yield the rows of each channel of each record."""
     begin = 0
     for block in blocks:
-        count = len(block.record.time)
-        for number in range(len(block.channels)):
+        count = block.samples
+        for number in range(block.channels):
             yield slice(begin + number * count, begin + (number + 1) * count)
-        begin += block.rows
+        begin += block.total
 
 
 def _correlation(residual: Array) -> tuple[Array, int]:
@@ -76,7 +85,7 @@ def _lasting(correlations: Sequence[tuple[Array, int]]) -> float:
     return max((float(lags[-1]) for lags in beyond if len(lags)), default=0.0)
 
 
-def _by_noise(optimum: Optimum, blocks: Sequence[ResidualBlock], inverse: Array) -> Array:
+def _by_noise(optimum: Optimum, blocks: Sequence[Rows], inverse: Array) -> Array:
     """Return the covariance by the variance of each channel in each record."""
     residual, slopes = optimum.residual, optimum.slopes
     scatter = np.zeros_like(inverse)
@@ -107,20 +116,20 @@ def _by_stretches(optimum: Optimum, records: Iterable[list[NDArray[np.intp]]]) -
     return (count - 1) / count * total * np.outer(larger, larger), count - 1.0
 
 
-def _stretches(blocks: Sequence[ResidualBlock], lasting: float) -> Iterator[list[NDArray[np.intp]]]:
+def _stretches(blocks: Sequence[Rows], lasting: float) -> Iterator[list[NDArray[np.intp]]]:
     """Yield by record the rows of its stretches, of all channels."""
-    total, begin = sum(len(block.record.time) for block in blocks), 0
+    total, begin = sum(block.samples for block in blocks), 0
     least, most = STRETCHES
     number = min(max(total / (STRETCH_RATIO * max(lasting, 1.0)), least), most)
     for block in blocks:
-        count = len(block.record.time)
+        count = block.samples
         parts = max(round(number * count / total), -(-2 // len(blocks)))
-        channels = begin + count * np.arange(len(block.channels))[:, None]
+        channels = begin + count * np.arange(block.channels)[:, None]
         yield [(channels + part).ravel() for part in np.array_split(np.arange(count), parts)]
-        begin += block.rows
+        begin += block.total
 
 
-def _known(optimum: Optimum, blocks: Sequence[ResidualBlock], inverse: Array) -> Array:
+def _known(optimum: Optimum, blocks: Sequence[Rows], inverse: Array) -> Array:
     """Return the covariance by priors, and by what joins pieces of a record."""
     others = np.ones(len(optimum.slopes), dtype=bool)
     for rows in _channels(blocks):

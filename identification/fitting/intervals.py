@@ -5,18 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from math import inf, sqrt
+from typing import Protocol
 
 import numpy as np
 
 from ...base import Array
 from ...components import InertanceError
-from .problem import FitProblem, Optimum
+from ..campaign.priors import Prior
+from .problem import Optimum
 
 MOST_REFITS = 12  # to find one end
 END_TOLERANCE = 0.02  # of the rise that an end is found by, as a share of its root
 STEEP = 4.0  # [level] of the root of a rise, from where on halving finds the end sooner than a secant
 FURTHER_RATIO = 3.0  # by which a step goes further where nothing has risen yet
 LOWER_COST = 1.0  # [chi squared] by which a fit with a parameter held is better than one that ended elsewhere
+
+
+class Problem(Protocol):
+    """What was fitted: parameters by name, and a fit of all of them but one that may be held."""
+
+    @property
+    def priors(self) -> Mapping[str, Prior]:
+        """Bounds and scales of what was fitted, in the order of an optimum's vector."""
+
+    def minimise(self, *, begin: Array, held: str) -> Optimum:
+        """Return the optimum from a vector, with one entry held."""
 
 
 class EndedEarlyError(Exception):
@@ -53,7 +66,7 @@ class Interval:
 
 
 def profiled(
-    problem: FitProblem,
+    problem: Problem,
     optimum: Optimum,
     errors: Mapping[str, float],
     level: float,
@@ -103,7 +116,7 @@ def profiled(
 class _Side:
     """One side of a profile: by how much the cost rises where a parameter is held away from its estimate."""
 
-    def __init__(self, problem: FitProblem, optimum: Optimum, name: str, side: float, reach: float) -> None:
+    def __init__(self, problem: Problem, optimum: Optimum, name: str, side: float, reach: float) -> None:
         self.problem, self.optimum, self.name, self.side, self.reach = problem, optimum, name, side, reach
         self.place, self.center = list(problem.priors).index(name), optimum.values[name]
         self.scale = float(optimum.scales[self.place])

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...base import Array
 from ..campaign.priors import Prior
-from .covariance import covariance
+from .covariance import Rows, covariance
 from .problem import Optimum
 from .residual_block import ResidualBlock
 
@@ -40,7 +40,8 @@ def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[s
     count = len(priors)
     information = optimum.slopes.T @ optimum.slopes
     inverse: Array = np.asarray(np.linalg.pinv(information, rcond=1e-14, hermitian=True), dtype=float)
-    scatter, freedom = covariance(optimum, blocks, inverse)
+    rows = [Rows(len(block.channels), len(block.record.time), block.rows) for block in blocks]
+    scatter, freedom = covariance(optimum, rows, inverse)
     sd, white = (np.sqrt(np.maximum(np.diag(known), 0.0)) for known in (scatter, inverse))
     own, told = _own(optimum, blocks, sd, white)
     scatter, sd = scatter[:count, :count], sd[:count]
@@ -50,7 +51,7 @@ def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[s
     errors = dict(zip(priors, (sd * optimum.scales).tolist(), strict=True))
     each = zip(priors, optimum.values.values(), priors.values(), white[:count] * optimum.scales, strict=True)
     warnings = [line for one in each for line in _untold(*one)]
-    return Uncertainty(errors, correlation, [*warnings, *told, *_tied(errors, correlation)], own, freedom)
+    return Uncertainty(errors, correlation, [*warnings, *told, *tied(errors, correlation)], own, freedom)
 
 
 def _own(
@@ -69,7 +70,7 @@ def _own(
     return errors, told
 
 
-def _tied(errors: Mapping[str, float], correlation: Array) -> Iterator[str]:
+def tied(errors: Mapping[str, float], correlation: Array) -> Iterator[str]:
     """Yield pairs of parameters that the records hardly tell apart."""
     for (j, first), (i, second) in combinations(enumerate(errors), 2):
         if abs(correlation[i, j]) > TIED_CORRELATION and errors[second] > 0:

@@ -51,8 +51,8 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     From some frequency on, in the mean spectrum of all records, a model says nothing of what was measured.
     Where that is level up to a multiple of this frequency, and as strong at all times, it is noise: what a
     machine does on its own falls with frequency. It is taken to be as strong below, and above as strong as
-    was measured. What follows an input is none: a random drive has an even and steady answer, too. Nor is what
-    no sensor would be kept with.
+    was measured. What follows an input is none: a random drive has an even and steady answer, too. Nor is
+    what no sensor would be kept with.
 
     Args:
         records: of one channel; too short ones, and those of which nothing is missed, have the noise of the
