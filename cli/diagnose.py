@@ -195,6 +195,6 @@ def _show_parameters(console: CommandConsole, verdict: Verdict, known: Mapping[s
             row(f"{placed.name}.{name}", ("", ""), placed.values[name], unit, "")
     if table.row_count:
         console.print(table)
-    for name, interval in known.items():
-        for line in interval.told(name):
-            _print(console, line)
+    told = (line for name, interval in known.items() for line in interval.told(name))
+    for line in (*verdict.ties, *told):
+        _print(console, line)

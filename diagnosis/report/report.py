@@ -238,23 +238,32 @@ def _parameters(verdict: Verdict) -> Iterator[str]:
         if prior.sd < float("inf"):
             moved = deviations(prior, fitted), deviations(prior, after)
         values = [number(value) for value in (before, fitted, after)]
-        rows.append([escape(name), assumed, *values, unit, change, *moved])
+        rows.append([escape(name), assumed, *values, _error(verdict, name), unit, change, *moved])
     for own in verdict.evidence.own_values:
         named = escape(f"{own.parameter} of {own.record}")
         assumed, unit = believed(campaign.per_record[own.parameter]), pretty_unit(own.unit)
-        rows.append([named, assumed, "", "", number(own.value), unit, "", "", ""])
+        rows.append([named, assumed, "", "", number(own.value), "", unit, "", "", ""])
     for placed, confidence in zip(verdict.effects, verdict.confidence, strict=True):
         for quantity, unit in placed.units(campaign).items():
-            named, value = f"{escape(placed.name)}.{escape(quantity)}", number(placed.values[quantity])
-            rows.append([named, "", "", "", value, pretty_unit(unit), f"{confidence:.0%}", "", ""])
+            named, value = f"{placed.name}.{quantity}", number(placed.values[quantity])
+            told = value, _error(verdict, named), pretty_unit(unit), f"{confidence:.0%}"
+            rows.append([escape(named), "", "", "", *told, "", ""])
     if not rows:
         yield "<p>None is uncertain.</p>"
         return
-    headers = ["parameter", "prior", "before", "refit", "after", "unit", "change", "refit", "after"]
-    yield _table(headers, rows, (2, 3, 4, 6, 7, 8))
-    yield '<p class="faint">Change: of an effect, the confidence in it. The last two columns: how far refit '
+    headers = ["parameter", "prior", "before", "refit", "after", "±", "unit", "change", "refit", "after"]
+    yield _table(headers, rows, (2, 3, 4, 5, 7, 8, 9))
+    yield '<p class="faint">±: the standard error, by which it would scatter if runs were measured again. '
+    yield "Change: of an effect, the confidence in it. The last two columns: how far refit "
     yield "and result are from the prior, in its standard deviations; a refit beyond "
     yield f"{MOVED_STANDARD_DEVIATIONS:g} makes up for what is missing.</p>"
+    if verdict.ties:
+        yield f'<p class="faint">{escape(". ".join(verdict.ties))}.</p>'
+
+
+def _error(verdict: Verdict, name: str) -> str:
+    error = verdict.standard_errors.get(name)
+    return "" if error is None else f"{error:.2g}"
 
 
 def _figure(name: str, figure: Figure, figures: dict[str, Figure], width: int | None = None) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, nan
@@ -58,11 +58,13 @@ class Known:
         scales = [prior.scale for prior in self._problem.priors.values()]
         return dict(zip(self._problem.priors, (self._deviations * scales).tolist(), strict=True))
 
-    @property
-    def warnings(self) -> list[str]:
-        """What the records hardly tell apart, in words."""
+    def ties(self, wanted: Sequence[str]) -> list[str]:
+        """Return which of some the records hardly tell apart, in words."""
+        places = [[*self._problem.priors].index(name) for name in wanted]
         apart = np.where(self._deviations > 0, self._deviations, 1.0)
-        return [*tied(self.errors, self._scatter[0] / np.outer(apart, apart))]
+        correlation = self._scatter[0] / np.outer(apart, apart)
+        errors = {name: self.errors[name] for name in wanted}
+        return [*tied(errors, correlation[np.ix_(places, places)])] if errors else []
 
     def intervals(
         self, level: float, wanted: Mapping[str, object], tell: Callable[[str], None]

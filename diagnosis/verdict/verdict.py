@@ -178,6 +178,11 @@ class Verdict:
         except InertanceError:
             return {}
 
+    @property
+    def ties(self) -> list[str]:
+        """What the records hardly tell apart of parameters and effects, in words."""
+        return self._known.ties([*self.standard_errors])
+
     def intervals(
         self, level: float = 0.95, report: Callable[[str], None] | None = None
     ) -> dict[str, Interval]:
