@@ -7,7 +7,8 @@ on a table whose motion is prescribed, a slide that rubs. Their parameters are d
 model says, which knows nothing of them but wide bounds. Three records of 12 s at 200 Hz begin in motion and
 hold white noise; noise that is coloured; white noise and a random force on the machine that nobody measured;
 white noise and a law that the model lacks. The size of noise is never stated. Told is how many of the
-intervals hold the true parameter, by profiles of the misfit and by 1.96 standard errors.
+intervals hold the true parameter, by profiles of the misfit and by 1.96 standard errors. Where a law is
+missing, that is told of a fit, which knows nothing of it, and of a diagnosis of the same records.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 from blind.measures import wilson
-from inertance.identification import Campaign, Record
+from inertance.identification import Campaign, Interval, Record
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -159,9 +160,15 @@ def noisy(draw: np.random.Generator, values: Array, coloured: bool) -> Array:
     return values + NOISE_SHARE * values.std() * noise[200:]
 
 
+def _kind_of(number: int) -> tuple[str, str]:
+    """Return the machine and the disturbance of a fit."""
+    kinds = list(product(BENCHES, DISTURBANCES))
+    return kinds[number % len(kinds)]
+
+
 def one(number: int, seed: int) -> dict[str, Any]:
     """Return how a fit with a number came out: which intervals hold the truth."""
-    name, disturbance = list(product(BENCHES, DISTURBANCES))[number % (len(BENCHES) * len(DISTURBANCES))]
+    name, disturbance = _kind_of(number)
     bench, draw = BENCHES[name], np.random.default_rng([seed, number])
     truth = {path: value * draw.uniform(0.8, 1.2) for path, value in bench.nominal.items()}
     at = np.arange(0.0, LENGTH, 1 / RATE)
@@ -178,12 +185,25 @@ def one(number: int, seed: int) -> dict[str, Any]:
     wide = {path: {"min": 0.2 * value, "max": 5.0 * value} for path, value in bench.nominal.items()}
     campaign = Campaign(bench.model(), bench.channels, wide, records, [])
     found = ia.fit(campaign, intervals=LEVEL)
-    rows = [
-        asdict(found.intervals[path])
-        | {"path": path, "truth": truth[path], "value": found.values[path], "error": found.errors[path]}
+    told = {"machine": name, "disturbance": disturbance}
+    told["parameters"] = _rows(truth, found.intervals, found.values, found.errors)
+    if disturbance == "missing law":
+        verdict = ia.diagnose(campaign)
+        told["named"] = [placed.label for placed in verdict.missing]
+        told["diagnosed"] = _rows(
+            truth, verdict.intervals(LEVEL), verdict.parameters, verdict.standard_errors
+        )
+    return told
+
+
+def _rows(
+    truth: Numbers, intervals: Mapping[str, Interval], values: Numbers, errors: Numbers
+) -> list[dict[str, Any]]:
+    return [
+        asdict(intervals[path])
+        | {"path": path, "truth": truth[path], "value": values[path], "error": errors[path]}
         for path in truth
     ]
-    return {"machine": name, "disturbance": disturbance, "parameters": rows}
 
 
 def held(row: Mapping[str, float]) -> bool:
@@ -205,12 +225,14 @@ def table(found: Sequence[Mapping[str, Any]]) -> str:
         "| records with | fits | intervals | profiles hold the truth | 1.96 standard errors do |",
         "|---" * 5 + "|",
     ]
-    for chosen in (*DISTURBANCES, ""):
-        fits = [one for one in found if chosen in ("", one["disturbance"])]
-        rows = [row for one in fits for row in one["parameters"]]
+    parts = {chosen: (chosen, "parameters") for chosen in DISTURBANCES}
+    parts["missing law, diagnosed"] = "missing law", "diagnosed"
+    for told, (chosen, of) in parts.items():
+        fits = [one for one in found if one["disturbance"] == chosen]
+        rows = [row for one in fits for row in one[of]]
         if rows:
-            told = share([held(row) for row in rows]), share([near(row) for row in rows])
-            lines.append(f"| {chosen or 'all'} | {len(fits)} | {len(rows)} | {' | '.join(told)} |")
+            shares = share([held(row) for row in rows]), share([near(row) for row in rows])
+            lines.append(f"| {told} | {len(fits)} | {len(rows)} | {' | '.join(shares)} |")
     return "\n".join(lines)
 
 
@@ -219,14 +241,16 @@ def main() -> None:
     parser.add_argument("--fits", type=int, default=600)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", choices=DISTURBANCES, help="fits of these records alone")
     parser.add_argument("--out", type=Path, default=Path("intervals.json"))
     given = parser.parse_args()
     found: list[dict[str, Any]] = []
     with ProcessPoolExecutor(given.jobs) as pool:
-        for case in pool.map(partial(one, seed=given.seed), range(given.fits)):
+        numbers = [n for n in range(given.fits) if given.only in (None, _kind_of(n)[1])]
+        for case in pool.map(partial(one, seed=given.seed), numbers):
             found.append(case)
             given.out.write_text(json.dumps(found, indent=1))
-            print(f"\r{len(found)}/{given.fits} fits", end="", file=sys.stderr, flush=True)
+            print(f"\r{len(found)}/{len(numbers)} fits", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     print(table(found))
 
