@@ -114,7 +114,8 @@ def show(verdict: Verdict, known: Mapping[str, Interval] = MappingProxyType({}))
     off = f"by what they take off the squared residual of the {verdict.evidence.judged}"
     _show_ranking(console, f"effects fitted, {off}", verdict.ranking)
     _show_ranking(console, "effects fitted on top of what was found", verdict.further)
-    _show_parameters(console, verdict, known)
+    _show_parameters(console, verdict)
+    _show_intervals(console, known)
     told = [verdict.remainder] if verdict.remainder else []
     if verdict.law is not None:
         told.append(str(verdict.law))
@@ -168,20 +169,17 @@ def _show_ranking(console: CommandConsole, title: str, ranking: Sequence[Ranked]
         console.print(table)
 
 
-def _show_parameters(console: CommandConsole, verdict: Verdict, known: Mapping[str, Interval]) -> None:
+def _show_parameters(console: CommandConsole, verdict: Verdict) -> None:
     """Print what parameters and effects were fitted to, and how well that is known."""
     campaign, refitted = verdict.evidence.campaign, verdict.evidence.refit.parameters
-    headings = ["parameter", "before", "refitted", "after", "±", "unit", "moved"]
-    headings[5:5] = ["95 % interval"] if known else []
-    title = "parameters, their standard errors, and by how many deviations of the prior they moved"
+    headings = ("parameter", "before", "refitted", "after", "±", "unit", "moved")
+    title = "parameters, standard errors, and by how many deviations of the prior they moved"
     table = table_of(title, headings, words=("parameter", "unit"), overflow="fold")
 
     def row(name: str, numbers: Sequence[str], value: float, unit: str, moved: str) -> None:
         error = verdict.standard_errors.get(name)
-        told = [f"{value:.5g}", "" if error is None else f"{error:.2g}"]
-        if known:
-            told.append(f"{known[name].low:.5g} to {known[name].high:.5g}" if name in known else "")
-        table.add_row(name, *numbers, *told, unit, moved)
+        told = "" if error is None else f"{error:.2g}"
+        table.add_row(name, *numbers, f"{value:.5g}", told, unit, moved)
 
     for name, value in verdict.parameters.items():
         prior = campaign.priors[name]
@@ -195,6 +193,16 @@ def _show_parameters(console: CommandConsole, verdict: Verdict, known: Mapping[s
             row(f"{placed.name}.{name}", ("", ""), placed.values[name], unit, "")
     if table.row_count:
         console.print(table)
-    told = (line for name, interval in known.items() for line in interval.told(name))
-    for line in (*verdict.ties, *told):
+    for line in verdict.ties:
+        _print(console, line)
+
+
+def _show_intervals(console: CommandConsole, known: Mapping[str, Interval]) -> None:
+    """Print where parameters and effects may be."""
+    table = table_of("95 % intervals", ("parameter", "from", "to"), words=("parameter",), overflow="fold")
+    for name, interval in known.items():
+        table.add_row(name, f"{interval.low:.5g}", f"{interval.high:.5g}")
+    if table.row_count:
+        console.print(table)
+    for line in (line for name, interval in known.items() for line in interval.told(name)):
         _print(console, line)

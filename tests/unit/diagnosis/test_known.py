@@ -8,6 +8,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
+from inertance.cli.diagnose import show
 from inertance.diagnosis import Verdict, write_report
 from inertance.identification import Campaign
 
@@ -94,3 +95,14 @@ def test_an_effect_of_a_sensor_has_errors_too(carriage: Callable[..., Any]) -> N
     gain = verdict.effects[0].values["gain"]
     assert abs(gain - 0.1) < 4 * verdict.standard_errors[name] < 0.01
     assert verdict.intervals()[name].low < 0.1 < verdict.intervals()[name].high
+
+
+def test_the_command_line_tells_errors_and_intervals(
+    rubbing: Told, capsys: pytest.CaptureFixture[str]
+) -> None:
+    verdict = rubbing.verdict
+    show(verdict, verdict.intervals())
+    told = capsys.readouterr().out
+    assert "95 % intervals" in told
+    assert f"{verdict.standard_errors[FRICTION]:.2g}" in told
+    assert f"{verdict.intervals()[FRICTION].low:.5g}" in told
