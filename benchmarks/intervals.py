@@ -190,9 +190,8 @@ def one(number: int, seed: int) -> dict[str, Any]:
     if disturbance == "missing law":
         verdict = ia.diagnose(campaign)
         told["named"] = [placed.label for placed in verdict.missing]
-        told["diagnosed"] = _rows(
-            truth, verdict.intervals(LEVEL), verdict.parameters, verdict.standard_errors
-        )
+        known, errors = verdict.intervals(LEVEL), verdict.standard_errors
+        told["diagnosed"] = _rows(truth, known, verdict.parameters, errors) if known else []
     return told
 
 

@@ -70,15 +70,21 @@ def diagnose(
             with Processes(count, "spawn") if count > 1 else nullcontext() as pool:
                 verdict = run_diagnosis(loaded, executor=pool, solver=solver, budget=budget, report=tell)
                 stopped = False
-            known = verdict.intervals(report=tell) if intervals else {}
         except DiagnosisInterruptedError as interrupt:
-            verdict, stopped, known = interrupt.verdict, True, {}
+            verdict, stopped = interrupt.verdict, True
+        known: dict[str, Interval] = {}
+        try:
+            known = verdict.intervals(report=tell) if intervals else known
+        except KeyboardInterrupt:
+            stopped = True
     wrote = []
     if json is not None:
         wrote.append(verdict.save(json))
     if report is not None:
         wrote.append(write_report(verdict, report))
     show(verdict, known)
+    if intervals and not known:
+        typer.echo("no intervals: not of what was interrupted, nor beside a law, which may do what they do")
     for path in wrote:
         typer.echo(f"wrote {path}")
     if stopped:

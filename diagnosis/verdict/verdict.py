@@ -169,9 +169,10 @@ class Verdict:
     def standard_errors(self) -> dict[str, float]:
         """Of parameters by path and of effects as "coulomb_friction_1.f_c" [SI units].
 
-        If the model is right; none of a verdict that was interrupted.
+        If the model is right; none of a verdict that was interrupted, and none beside a law of its own, whose
+        table may do what a parameter does.
         """
-        if self.verdict == "interrupted":
+        if not self._is_told:
             return {}
         try:
             return {name: error for name, error in self._known.errors.items() if name in self._fitted}
@@ -181,14 +182,15 @@ class Verdict:
     @property
     def ties(self) -> list[str]:
         """What the records hardly tell apart of parameters and effects, in words."""
-        return self._known.ties([*self.standard_errors])
+        return self._known.ties([*self.standard_errors]) if self.standard_errors else []
 
     def intervals(
         self, level: float = 0.95, report: Callable[[str], None] | None = None
     ) -> dict[str, Interval]:
         """Return how far the parameters, and those of the effects, may go while all others make up for it.
 
-        Profiles of the misfit of the training records, some ten fits for each; see `inertance.fit`.
+        Profiles of the misfit of the training records, some ten fits for each; see `inertance.fit`. There are
+        none where there are no `standard_errors`.
 
         Args:
             level: the share of such intervals that hold the truth, if the model is right.
@@ -198,11 +200,18 @@ class Verdict:
             SimulationError: if the model cannot be run beside what it was fitted to.
         """
         demand("intervals()", level=(level, between(0.01, 0.9999)), report=(report, optional(function)))
+        if not self.standard_errors:
+            return {}
         return self._known.intervals(level, self._fitted, report or (lambda line: None))
 
     @property
+    def _is_told(self) -> bool:
+        """Whether the records tell of the parameters, and the model was fitted to its end."""
+        return self.verdict != "interrupted" and self.law is None
+
+    @property
     def _fitted(self) -> dict[str, float]:
-        """The parameters, and those of the effects, by name; a law's table has errors of its own."""
+        """The parameters, and those of the effects, by name."""
         effects = {f"{p.name}.{name}": v for p in self.effects for name, v in p.values.items()}
         return {**self.parameters, **effects}
 

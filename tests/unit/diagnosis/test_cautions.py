@@ -79,7 +79,8 @@ def test_the_fitted_parameters_and_sites_of_one_motion_are_printed(
     value = verdicts["prior"].parameters["spring.k"]
     assert value == pytest.approx(950.0, rel=1e-2)
     assert "parameters" in told
-    assert f"spring.k │ 800 │ {value:.5g} │ {value:.5g} │ N/m" in told
+    error = verdicts["prior"].standard_errors["spring.k"]
+    assert f"spring.k │ 800 │ {value:.5g} │ {value:.5g} │ {error:.2g} │ N/m" in told
     rig = carriage(rate=100.0, duration=4.0, noise=2e-5)
     rubbing = Campaign(
         rig.rig(),
@@ -94,5 +95,5 @@ def test_the_fitted_parameters_and_sites_of_one_motion_are_printed(
     for other in found.effects[0].site.same:
         assert other in told.partition("the same motion as at ")[2].partition(", which")[0]
     friction = next(iter(found.effects[0].values.values()))
-    assert f"{friction:.5g} │ N " in told
+    assert f"{friction:.5g} │ {found.standard_errors['coulomb_friction_1.f_c']:.2g} │ N " in told
     assert np.isclose(friction, 0.8, rtol=0.05)
