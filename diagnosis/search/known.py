@@ -96,7 +96,7 @@ class Known:
         """The covariance, and by how many degrees of freedom it is known."""
         optimum = self._problem.at(self._problem.joint.start)
         inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
-        return covariance(optimum, self._problem.rows, np.asarray(inverse))
+        return covariance(optimum, self._problem.rows, np.asarray(inverse, dtype=float))
 
 
 class EffectsProblem:

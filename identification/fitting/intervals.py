@@ -27,9 +27,11 @@ class Problem(Protocol):
     @property
     def priors(self) -> Mapping[str, Prior]:
         """Bounds and scales of what was fitted, in the order of an optimum's vector."""
+        ...
 
     def minimise(self, *, begin: Array, held: str) -> Optimum:
         """Return the optimum from a vector, with one entry held."""
+        ...
 
 
 class EndedEarlyError(Exception):
