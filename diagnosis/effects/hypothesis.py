@@ -139,13 +139,15 @@ def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:
 
 
 def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
-    """Return an experiment with its inputs as the actuators pass them on."""
+    """Return an experiment with its inputs as the actuators pass them on; itself if none changes any."""
+    acting = [placed for placed in effects if placed.effect.change and placed.effect.drives]
+    if not acting:
+        return experiment
     record, values = experiment.record, dict(experiment.record.values)
     elapsed = experiment.elapsed(record.time)
-    for placed in effects:
-        if placed.effect.change and placed.effect.drives:
-            name = placed.site.path
-            values[name] = acted(placed.effect, experiment, elapsed, values[name], placed.values)
+    for placed in acting:
+        name = placed.site.path
+        values[name] = acted(placed.effect, experiment, elapsed, values[name], placed.values)
     return replace(experiment, record=replace(record, values=values))
 
 

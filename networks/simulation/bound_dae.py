@@ -219,11 +219,10 @@ def _known_legs(
     known: dict[Any, list[Leg]], told: Any, signals: TimeSignals, begin: float, stop: float
 ) -> list[Leg]:
     key = begin, stop, told
-    if key not in known:
-        known[key] = legs_of(signals, begin, stop)
-        if len(known) > CACHED_LEGS:
-            known.pop(next(iter(known)), None)
-    return known[key]
+    legs = known[key] = known.pop(key, None) or legs_of(signals, begin, stop)
+    if len(known) > CACHED_LEGS:
+        known.pop(next(iter(known)), None)
+    return legs
 
 
 def _courses(first: int, signals: Mapping[str, Any]) -> dict[str, slice]:
