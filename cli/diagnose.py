@@ -73,10 +73,13 @@ def diagnose(
         except DiagnosisInterruptedError as interrupt:
             verdict, stopped = interrupt.verdict, True
         known: dict[str, Interval] = {}
+        none = "not of what was interrupted, nor beside a law, which may do what they do"
         try:
             known = verdict.intervals(report=tell) if intervals else known
         except KeyboardInterrupt:
             stopped = True
+        except InertanceError as error:
+            none = str(error)
     wrote = []
     if json is not None:
         wrote.append(verdict.save(json))
@@ -84,7 +87,7 @@ def diagnose(
         wrote.append(write_report(verdict, report))
     show(verdict, known)
     if intervals and not known:
-        typer.echo("no intervals: not of what was interrupted, nor beside a law, which may do what they do")
+        typer.echo(f"no intervals: {none}")
     for path in wrote:
         typer.echo(f"wrote {path}")
     if stopped:

@@ -93,10 +93,10 @@ DESCENT_STEPS = 100  # [1] at most; effort
 DESCENT_REACH = 30  # [1] steps in which the best model so far must be in sight; blind
 DESCENT_RELATIVE_DROP = 1e-4  # [1] of chi squared that a step must promise; effort
 DESCENT_CHI_SQUARED_DROP = 1.0  # [chi squared] the same beside it; theory: a standard error
+DESCENT_LEAST_RADIUS = 1e-3  # [scale of the prior] below which steps see nothing but roughness; data
 PROFILE_CHI_SQUARED_DROP = 1e-2  # [chi squared] that a step of a profile must promise; theory: 1 is an error
 PROFILE_LEAST_RADIUS = 1e-6  # [scale of the prior] below which its steps see nothing but roughness; data
 PROFILE_RESTARTS = 5  # [1] from where a profile has led to something better; effort
-DESCENT_LEAST_RADIUS = 1e-3  # [scale of the prior] below which steps see nothing but roughness; data
 LEAST_SIZE_RATIO = 0.1  # [1] of the largest quantity of a kind: what a small one may be; effort
 
 # What a small change is, by which slopes are judged

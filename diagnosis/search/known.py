@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, nan
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, computing
 from ...identification import (
     EndedEarlyError,
     Ending,
@@ -58,29 +58,23 @@ class Known:
         scales = [prior.scale for prior in self._problem.priors.values()]
         return dict(zip(self._problem.priors, (self._deviations * scales).tolist(), strict=True))
 
-    def ties(self, wanted: Sequence[str]) -> list[str]:
-        """Return which of some the records hardly tell apart, in words."""
-        places = [[*self._problem.priors].index(name) for name in wanted]
+    @property
+    def ties(self) -> list[str]:
+        """What the records hardly tell apart, in words."""
         apart = np.where(self._deviations > 0, self._deviations, 1.0)
-        correlation = self._scatter[0] / np.outer(apart, apart)
-        errors = {name: self.errors[name] for name in wanted}
-        return [*tied(errors, correlation[np.ix_(places, places)])] if errors else []
+        return [*tied(self.errors, self._scatter[0] / np.outer(apart, apart))]
 
-    def intervals(
-        self, level: float, wanted: Mapping[str, object], tell: Callable[[str], None]
-    ) -> dict[str, Interval]:
-        """Return profile-likelihood intervals of some of what was fitted; see `profiled`."""
-        optimum = self._problem.minimise()
+    def intervals(self, level: float, tell: Callable[[str], None]) -> dict[str, Interval]:
+        """Return profile-likelihood intervals; see `profiled`."""
+        optimum, (_, freedom) = self._problem.minimise(), self._scatter
         for _ in range(PROFILE_RESTARTS):
-            _, freedom = self._scatter
-            errors = {name: error for name, error in self.errors.items() if name in wanted}
             try:
-                return dict(profiled(self._problem, optimum, errors, level, freedom, tell))
+                return dict(profiled(self._problem, optimum, self.errors, level, freedom, tell))
             except EndedEarlyError as better:
                 tell("a profile has led to a lower misfit: going on from there")
                 optimum = self._problem.minimise(begin=self._problem.vector(better.values))
         unknown = Interval(level, nan, nan, "profiles lead to ever lower misfits")
-        return dict.fromkeys(wanted, unknown)
+        return dict.fromkeys(self.errors, unknown)
 
     @cached_property
     def _problem(self) -> EffectsProblem:
@@ -92,11 +86,10 @@ class Known:
         return np.sqrt(np.maximum(np.diag(self._scatter[0]), 0.0))
 
     @cached_property
+    @computing("standard errors")
     def _scatter(self) -> tuple[Array, float]:
         """The covariance, and by how many degrees of freedom it is known."""
-        optimum = self._problem.at(self._problem.joint.start)
-        inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
-        return covariance(optimum, self._problem.rows, np.asarray(inverse, dtype=float))
+        return covariance(self._problem.at(self._problem.joint.start), self._problem.rows)
 
 
 class EffectsProblem:

@@ -172,17 +172,17 @@ class Verdict:
         If the model is right; none of a verdict that was interrupted, and none beside a law of its own, whose
         table may do what a parameter does.
         """
-        if not self._is_told:
+        if self.verdict == "interrupted" or self.law is not None:
             return {}
         try:
-            return {name: error for name, error in self._known.errors.items() if name in self._fitted}
+            return self._known.errors
         except InertanceError:
             return {}
 
     @property
     def ties(self) -> list[str]:
         """What the records hardly tell apart of parameters and effects, in words."""
-        return self._known.ties([*self.standard_errors]) if self.standard_errors else []
+        return self._known.ties if self.standard_errors else []
 
     def intervals(
         self, level: float = 0.95, report: Callable[[str], None] | None = None
@@ -202,18 +202,7 @@ class Verdict:
         demand("intervals()", level=(level, between(0.01, 0.9999)), report=(report, optional(function)))
         if not self.standard_errors:
             return {}
-        return self._known.intervals(level, self._fitted, report or (lambda line: None))
-
-    @property
-    def _is_told(self) -> bool:
-        """Whether the records tell of the parameters, and the model was fitted to its end."""
-        return self.verdict != "interrupted" and self.law is None
-
-    @property
-    def _fitted(self) -> dict[str, float]:
-        """The parameters, and those of the effects, by name."""
-        effects = {f"{p.name}.{name}": v for p in self.effects for name, v in p.values.items()}
-        return {**self.parameters, **effects}
+        return self._known.intervals(level, report or (lambda line: None))
 
     @property
     def assurance(self) -> str:

@@ -34,18 +34,17 @@ class Rows:
     total: int
 
 
-def covariance(optimum: Optimum, blocks: Sequence[Rows], inverse: Array) -> tuple[Array, float]:
+def covariance(optimum: Optimum, blocks: Sequence[Rows]) -> tuple[Array, float]:
     """Return the covariance of parameters and nuisances, and the degrees of freedom by which it is known.
 
     Args:
         optimum: where the fit ended.
         blocks: the records.
-        inverse: that of the information.
     """
     correlations = [_correlation(optimum.residual[rows]) for rows in _channels(blocks)]
-    known = _known(optimum, blocks, inverse)
+    known = _known(optimum, blocks)
     if _are_white(correlations):
-        return _by_noise(optimum, blocks, inverse) + known, np.inf
+        return _by_noise(optimum, blocks) + known, np.inf
     found, freedom = _by_stretches(optimum, _stretches(blocks, _lasting(correlations)))
     return found + known, freedom
 
@@ -85,9 +84,9 @@ def _lasting(correlations: Sequence[tuple[Array, int]]) -> float:
     return max((float(lags[-1]) for lags in beyond if len(lags)), default=0.0)
 
 
-def _by_noise(optimum: Optimum, blocks: Sequence[Rows], inverse: Array) -> Array:
+def _by_noise(optimum: Optimum, blocks: Sequence[Rows]) -> Array:
     """Return the covariance by the variance of each channel in each record."""
-    residual, slopes = optimum.residual, optimum.slopes
+    residual, slopes, inverse = optimum.residual, optimum.slopes, optimum.inverse
     scatter = np.zeros_like(inverse)
     for rows in _channels(blocks):
         scatter += float(np.mean(residual[rows] ** 2)) * (slopes[rows].T @ slopes[rows])
@@ -129,10 +128,10 @@ def _stretches(blocks: Sequence[Rows], lasting: float) -> Iterator[list[NDArray[
         begin += block.total
 
 
-def _known(optimum: Optimum, blocks: Sequence[Rows], inverse: Array) -> Array:
+def _known(optimum: Optimum, blocks: Sequence[Rows]) -> Array:
     """Return the covariance by priors, and by what joins pieces of a record."""
     others = np.ones(len(optimum.slopes), dtype=bool)
     for rows in _channels(blocks):
         others[rows] = False
-    apart = optimum.slopes[others] @ inverse
+    apart = optimum.slopes[others] @ optimum.inverse
     return np.asarray(apart.T @ apart)

@@ -99,7 +99,7 @@ def profiled(
     """
     from scipy.stats import t
 
-    inverse = np.linalg.pinv(optimum.slopes.T @ optimum.slopes, rcond=1e-14, hermitian=True)
+    inverse = optimum.inverse
     quantile = float(t.isf((1 - level) / 2, freedom))
     for name, error in errors.items():
         place = list(problem.priors).index(name)

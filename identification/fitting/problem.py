@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -32,6 +33,12 @@ class Optimum:
     vector: Array  # parameters, from where they were assumed in units of `scales`, then the nuisances
     iterations: int
     ended: str  # why, in words
+
+    @cached_property
+    def inverse(self) -> Array:
+        """That of the information, over what the rows tell at all."""
+        information = self.slopes.T @ self.slopes
+        return np.asarray(np.linalg.pinv(information, rcond=1e-14, hermitian=True), dtype=float)
 
 
 class FitProblem:

@@ -38,11 +38,9 @@ class Uncertainty:
 def uncertainty(optimum: Optimum, blocks: list[ResidualBlock], priors: Mapping[str, Prior]) -> Uncertainty:
     """Return what is known of the parameters at an optimum."""
     count = len(priors)
-    information = optimum.slopes.T @ optimum.slopes
-    inverse: Array = np.asarray(np.linalg.pinv(information, rcond=1e-14, hermitian=True), dtype=float)
     rows = [Rows(len(block.channels), len(block.record.time), block.rows) for block in blocks]
-    scatter, freedom = covariance(optimum, rows, inverse)
-    sd, white = (np.sqrt(np.maximum(np.diag(known), 0.0)) for known in (scatter, inverse))
+    scatter, freedom = covariance(optimum, rows)
+    sd, white = (np.sqrt(np.maximum(np.diag(known), 0.0)) for known in (scatter, optimum.inverse))
     own, told = _own(optimum, blocks, sd, white)
     scatter, sd = scatter[:count, :count], sd[:count]
     safe = np.where(sd > 0, sd, 1.0)

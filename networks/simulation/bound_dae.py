@@ -219,7 +219,7 @@ def _known_legs(
     known: dict[Any, list[Leg]], told: Any, signals: TimeSignals, begin: float, stop: float
 ) -> list[Leg]:
     key = begin, stop, told
-    legs = known[key] = known.pop(key, None) or legs_of(signals, begin, stop)
+    legs = known[key] = known.pop(key, []) or legs_of(signals, begin, stop)
     if len(known) > CACHED_LEGS:
         known.pop(next(iter(known)), None)
     return legs

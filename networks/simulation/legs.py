@@ -65,11 +65,8 @@ def together(parts: Sequence[Sequence[Leg]]) -> list[Leg]:
     if len(parts) == 1:
         return [*parts[0]]
     begins = np.unique([leg.begin for legs in parts for leg in legs])
-    end, step, jumps = (
-        np.append(begins[1:], np.inf),
-        np.full(len(begins), np.inf),
-        np.zeros(len(begins), bool),
-    )
+    end, step = np.append(begins[1:], np.inf), np.full(len(begins), np.inf)
+    jumps = np.zeros(len(begins), dtype=bool)
     for legs in parts:
         own = np.array([leg.begin for leg in legs])
         at = np.searchsorted(own, begins, side="right") - 1

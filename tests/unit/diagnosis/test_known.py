@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from inertance.cli.diagnose import show
 from inertance.diagnosis import Verdict, write_report
-from inertance.identification import Campaign
+from inertance.identification import Campaign, Record
 
 CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}}
 PRIORS = {"spring.k": {"rel": 0.2}, "guide.d": {"rel": 0.4}}
@@ -79,6 +79,37 @@ def test_the_json_file_and_the_report_tell_errors(rubbing: Told, tmp_path: Path)
     assert told["effects"][0]["standard_errors"] == {"f_c": verdict.standard_errors[FRICTION]}
     page = write_report(verdict, tmp_path / "gap.html").read_text()
     assert f"{verdict.standard_errors[FRICTION]:.2g}" in page
+
+
+def test_errors_are_a_fits_where_records_begin_in_motion_with_zeros_and_values_of_their_own(
+    carriage: Callable[..., Any],
+) -> None:
+    machine = carriage(rate=100.0, duration=10.0, noise=2e-5)
+
+    def record(seed: int, k: float, zero: float) -> Record:
+        rubbing = machine.rubbing().clone()
+        rubbing.spring.k = k
+        whole = machine.measured(rubbing, seed)
+        kept = whole.time >= 2.0
+        values = {"F": whole.values["F"][kept], "x": whole.values["x"][kept] + zero}
+        return Record(whole.name, whole.time[kept], values)
+
+    first, second, third = record(1, 815.0, 3e-4), record(2, 830.0, -5e-4), record(3, 820.0, 2e-4)
+    channels = {"F": {"input": "push.f", "unit": "kN"}, "x": {"output": "carriage.s", "unit": "mm"}}
+    priors: dict[str, Any] = {"guide.d": {"rel": 0.4}, "spring.k": {"rel": 0.05, "per": "record"}}
+    given: dict[str, Any] = {
+        "train": [{"record": first, "offset": ["x"]}, {"record": second, "offset": ["x"]}],
+        "test": [{"record": third, "offset": ["x"]}],
+        "noise": {"x": 2e-2},
+    }
+    verdict = ia.diagnose(Campaign(machine.rig(), channels, priors, **given))
+    known = verdict.intervals()
+    bounds = {FRICTION: {"min": 0.0, "max": 10.0}}
+    found = ia.fit(Campaign(verdict.corrected(), channels, {**priors, **bounds}, **given))
+    assert set(known) == {"guide.d", FRICTION}
+    for name, truth in {"guide.d": 6.0, FRICTION: 0.8}.items():
+        assert verdict.standard_errors[name] == pytest.approx(found.errors[name], rel=0.1)
+        assert known[name].low < truth < known[name].high
 
 
 def test_an_effect_of_a_sensor_has_errors_too(carriage: Callable[..., Any]) -> None:

@@ -9,6 +9,7 @@ import pytest
 from inertance.identification import Campaign, FitInterruptedError, Multisine, Record
 from inertance.identification.campaign.priors import Prior
 from inertance.identification.fitting.intervals import profiled
+from inertance.identification.fitting.problem import Optimum
 
 RATE = 200.0
 CHANNELS = {"x": {"input": "table.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}}
@@ -141,9 +142,8 @@ class Walled:
 @pytest.mark.parametrize("wall", [1e-5, 1e-3, 0.4, 7.0, 300.0])
 def test_an_end_that_is_a_wall_is_not_told_too_near(wall: float) -> None:
     """No root of the rise is ever at the level: what is told is behind the wall, not before it."""
-    optimum: Any = SimpleNamespace(
-        vector=np.zeros(1), values={"p": 0.0}, cost=0.0, slopes=np.ones((1, 1)), scales=np.ones(1)
-    )
+    none, one = np.zeros(1), np.ones(1)
+    optimum = Optimum({"p": 0.0}, [], 0.0, none, np.ones((1, 1)), one, none, 0, "")
     problem: Any = Walled(wall)
     ((_, found),) = profiled(problem, optimum, {"p": 1.0}, 0.95)
     assert found.low <= -wall
