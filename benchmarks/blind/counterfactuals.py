@@ -26,7 +26,7 @@ from pathlib import Path
 
 import inertance as ia
 import numpy as np
-from hidden import DEVIATIONS, OUTPUTS, RATE, Law, Machine, Push, laws, moved, multisine, network, right
+from hidden import RATE, Law, Machine, Push, laws, modelled, moved, multisine, right
 from inertance.diagnosis import diagnose
 from inertance.identification import Campaign, Record
 from measures import wilson
@@ -139,16 +139,9 @@ def outcome(number: int, seed: int) -> Outcome:
     record, noise = measured(made.other, made.law, made.place, made.push, draw)
     verdict = diagnose(
         Campaign(
-            network(made.machine),
-            {"F": {"input": "push.f", "unit": "N"}}
-            | {channel: {"output": OUTPUTS[channel], "unit": "m"} for channel in noise},
-            {
-                path: {"rel": rel}
-                for path, rel in DEVIATIONS.items()
-                if masses == 2 or path in ("spring.k", "damper.d")
-            },
-            [{"record": records[0]}, {"record": records[1]}],
-            [{"record": records[2]}],
+            **modelled(made.machine),
+            train=[{"record": records[0]}, {"record": records[1]}],
+            test=[{"record": records[2]}],
             counterfactual=[{"record": record, **made.entry}],
         )
     )

@@ -27,16 +27,14 @@ from typing import Any
 
 import numpy as np
 from hidden import (
-    DEVIATIONS,
-    OUTPUTS,
     RATE,
     Array,
     Law,
     Machine,
     Push,
     laws,
+    modelled,
     moved,
-    network,
     one_sided,
     right,
 )
@@ -95,14 +93,7 @@ def known(number: int, seed: int) -> tuple[Rig, dict[str, Any]]:
     travel = {c: ROOM * max(float(np.abs(r.values[c]).max()) for r in records) for c in rig.noise}
     limits = {c: {"travel": float(most)} for c, most in travel.items()}
     return rig, {
-        "model": network(machine),
-        "channels": {"F": {"input": "push.f", "unit": "N"}}
-        | {channel: {"output": OUTPUTS[channel], "unit": "m"} for channel in rig.noise},
-        "parameters": {
-            path: {"rel": rel}
-            for path, rel in DEVIATIONS.items()
-            if masses == 2 or path in ("spring.k", "damper.d")
-        },
+        **modelled(machine),
         "train": [{"record": record} for record in records[:2]],
         "test": [{"record": records[2]}],
         "limits": {"duration": DURATION, "rate": RATE, "F": {"force": FORCE, "band": list(BAND)}, **limits},

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import inertance as ia
 import numpy as np
@@ -105,6 +106,17 @@ def network(machine: Machine) -> ia.Network:
         net.connect(net.carriage.flange, net.leaf.flange_a, net.pad.flange_a)
         net.connect(net.tool.flange, net.leaf.flange_b, net.pad.flange_b)
     return net
+
+
+def modelled(machine: Machine) -> dict[str, Any]:
+    """Return model, channels and parameters of the machine, as a `Campaign` takes them."""
+    outputs = {c: {"output": path, "unit": "m"} for c, path in OUTPUTS.items() if c == "x1" or machine.m2}
+    known = DEVIATIONS if machine.m2 else {path: DEVIATIONS[path] for path in ("spring.k", "damper.d")}
+    return {
+        "model": network(machine),
+        "channels": {"F": {"input": "push.f", "unit": "N"}, **outputs},
+        "parameters": {path: {"rel": rel} for path, rel in known.items()},
+    }
 
 
 def right(law: Law, place: int, effects: Sequence[Hypothesis]) -> bool:
