@@ -185,7 +185,8 @@ class BoundDAE:
         signals = [signal for _, signal in self.given]
         still = tuple(k for k, signal in enumerate(signals) if isinstance(signal, Real))
         given = tuple(k for k, s in enumerate(signals) if k not in still and not isinstance(s, Polynomial))
-        known, key = self.dae.timed, (given, still, bool(self.courses))
+        drawn = tuple(k for k in given if isinstance(signals[k], Sampled))
+        known, key = self.dae.timed, (given, still, drawn, bool(self.courses))
         if key not in known:
             known[key] = timed_rows(self.dae, *key)
         return known[key]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ..dae import DAE
     from .bound_dae import BoundDAE
 
-STATES, CONSTANT, TIMED = range(3)
+STATES, CONSTANT, FORMAL, DRAWN = range(4)
 TABLE_POINTS = 8193
 
 
@@ -200,11 +200,19 @@ def _range(times: Array, values: Array, low: Array, high: Array) -> Bounds:
     return np.minimum.reduceat(padded, pairs)[::2], np.maximum.reduceat(padded, pairs)[::2]
 
 
-def timed_rows(dae: DAE, given: Sequence[int], still: Sequence[int] = (), watched: bool = False) -> Any:
+def timed_rows(
+    dae: DAE,
+    given: Sequence[int],
+    still: Sequence[int] = (),
+    drawn: Sequence[int] = (),
+    watched: bool = False,
+) -> Any:
     """Return the largest expressions of time, given inputs and parameters alone in the equations of a DAE.
 
-    Given inputs are told by their places, and those that are `still` all the time; where they are `watched`
-    from outside, they themselves count.
+    Given inputs are told by their places, those that are `still` all the time, and those of the given ones
+    that are `drawn` from data. Where formulas meet data in an expression, they count for themselves, too, as
+    the samples by which data are looked at may miss where a formula switches. Given inputs themselves count
+    where they are `watched` from outside.
     """
     jumping = dae.jumps.watched if dae.jumps else ca.SX(0, 1)
     indicators = pick(dae.switching.expressions, [c.indicator for c in dae.switching.changes])
@@ -212,12 +220,12 @@ def timed_rows(dae: DAE, given: Sequence[int], still: Sequence[int] = (), watche
     moved = ca.jacobian_sparsity(equations, ca.vertcat(pick(dae.u, given), dae.time)).row()
     if not moved:
         return ca.SX(0, 1)
-    return _largest(dae, pick(equations, sorted(set(moved))), given, still)
+    inputs = dict.fromkeys(given, FORMAL) | dict.fromkeys(still, CONSTANT) | dict.fromkeys(drawn, DRAWN)
+    return _largest(dae, pick(equations, sorted(set(moved))), inputs)
 
 
-def _largest(dae: DAE, equations: Any, given: Sequence[int], still: Sequence[int]) -> Any:
-    inputs = {**dict.fromkeys(given, TIMED), **dict.fromkeys(still, CONSTANT)}
-    moving = ca.vertcat(pick(dae.u, given), dae.time)
+def _largest(dae: DAE, equations: Any, inputs: Mapping[int, int]) -> Any:
+    moving = ca.vertcat(pick(dae.u, [k for k, kind in inputs.items() if kind >= FORMAL]), dae.time)
     symbols = [*dae.arguments(), dae.jumps.before if dae.jumps else ca.SX(0, 1)]
     entries = [symbol.nz[:] for symbol in symbols]
     work: dict[int, tuple[int, Any]] = {}
@@ -230,9 +238,10 @@ def _largest(dae: DAE, equations: Any, given: Sequence[int], still: Sequence[int
         else:
             operands = [work[place] for place in of]
             kinds, values = [kind for kind, _ in operands], [value for _, value in operands]
-            if operation == ca.OP_OUTPUT or STATES in kinds:
-                timed = [_bare(value, moving) for kind, value in operands if kind == TIMED]
-                found |= {value.element_hash(): value for value in timed}
+            ends = operation == ca.OP_OUTPUT or STATES in kinds
+            apart = {FORMAL, DRAWN} if ends else {FORMAL} if DRAWN in kinds else set()
+            timed = [_bare(value, moving) for kind, value in operands if kind in apart]
+            found |= {value.element_hash(): value for value in timed}
             if operation != ca.OP_OUTPUT:
                 apply = ca.SX.unary if len(values) == 1 else ca.SX.binary
                 whole = STATES not in kinds
@@ -255,5 +264,5 @@ def _kind(argument: int, entry: int, parameters: int, inputs: Mapping[int, int])
     if argument == 2:
         return inputs.get(entry, STATES)
     if argument == 4:
-        return TIMED
+        return FORMAL
     return CONSTANT if argument == 3 and entry < parameters else STATES

@@ -3,6 +3,7 @@
 from itertools import pairwise
 from typing import Any
 
+import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
@@ -73,3 +74,20 @@ def test_an_input_that_is_changed_has_only_its_own_legs_found_anew(monkeypatch: 
     apart = course(push, 0.0, 0.0) + course(0.0, other, 0.0) + course(0.0, 0.0, 3.0)
     assert sought == [1, 1, 1]
     assert both == pytest.approx(apart, abs=1e-7)
+
+
+@pytest.mark.parametrize("solver", ["cvodes", "compiled"])
+@pytest.mark.parametrize("wide", [1e-5, 1e-3, 0.1])
+def test_a_pulse_beside_data_at_the_same_mass_is_seen(wide: float, solver: str) -> None:
+    net = ia.Network("free", mass=ia.Mass(m=2.0), push=ia.Force(), pull=ia.Force())
+    net.connect(net.push.flange, net.mass.flange, net.pull.flange)
+    begin, stop, time = 3.7, 20.0, np.linspace(3.7, 20.0, 200)
+    spikes = np.zeros(200)
+    spikes[[30, 77]] = 50.0, -20.0
+    inputs = {
+        "push.f": lambda t: ca.if_else(ca.logic_and(t >= 7.123, t < 7.123 + wide), 90.0, 0.0),
+        "pull.f": ia.Sampled(time, spikes, interpolation="linear"),
+    }
+    run = net.simulate(stop, begin=begin, inputs=inputs, rtol=1e-8, solver=solver)
+    wanted = (90.0 * wide + np.trapezoid(spikes, time)) / 2.0
+    assert run["mass.v"][-1] == pytest.approx(wanted, abs=1e-6)
