@@ -172,6 +172,15 @@ class Effect:
         kept = {q.name: values[q.name] for q in plain.quantities[domain] if q.shape}
         return [named | kept] if kept else [named | shape for shape in self.shaped(domain, extent)]
 
+    def narrowed(self, domain: str, plain: Effect, values: Values) -> dict[str, float]:
+        """Return values of its special case, of the sizes that are nearest to its own."""
+        assert self.plain is not None
+        own, sizes = self.sizes(domain), plain.sizes(domain)
+        widening = np.reshape(self.plain[1], (len(own), len(sizes)))
+        nearest = np.linalg.lstsq(widening, np.array([values[q.name] for q in own]), rcond=None)[0]
+        shape = {q.name: values[q.name] for q in plain.quantities[domain] if q.shape}
+        return dict(zip([q.name for q in sizes], nearest.tolist(), strict=True)) | shape
+
     def network_parameters(self, site: Site, name: str, values: Values) -> dict[str, float]:
         """Return the parameters of the inserted component, by full name."""
         if self.parameters is not None:

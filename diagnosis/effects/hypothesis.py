@@ -13,7 +13,7 @@ from ...identification import Campaign, Experiment
 from ...networks import Network
 from ..criteria import LEAST_SIZE_RATIO, PARAMETER_STEP_RATIO
 from .edits import AddPart, Edit, edited
-from .effect import Effect, Quantity, Values
+from .effect import EFFECTS, Effect, Quantity, Values
 from .sites import Site
 
 DRY_FRICTION = "coulomb_friction"
@@ -69,11 +69,25 @@ class Hypothesis(SitedEffect):
         bare = next((site for site in sites if site.path == self.site.path), self.site)
         return replace(self, site=replace(self.site, rubs=rubbed(bare, others).rubs))
 
-    def joined(self, other: Hypothesis) -> dict[str, float]:
-        """Return values with which it does what it does together with a special case of it."""
-        domain = self.site.domain
-        sizes = self.effect.widened(domain, self.site, other.effect, other.values)[0]
+    def joined(self, other: Hypothesis) -> dict[str, float] | None:
+        """Return values with which it does what it does together with another one at the same site.
+
+        The other is a special case of it, or has one in common with it, of which it is the rest; else None.
+        """
+        special = other if self.generalises(other) else other.special
+        if special is None or not self.generalises(special):
+            return None
+        sizes = self.effect.widened(self.site.domain, self.site, special.effect, special.values)[0]
         return {q.name: self.values[q.name] + (0.0 if q.shape else sizes[q.name]) for q in self.quantities}
+
+    @property
+    def special(self) -> Hypothesis | None:
+        """Its special case that is nearest to it; None if it has none."""
+        kind, domain = self.effect.plain and self.effect.plain[0], self.site.domain
+        if kind is None:
+            return None
+        plain = EFFECTS[kind]
+        return replace(self, effect=plain, values=self.effect.narrowed(domain, plain, self.values))
 
     @property
     def edits(self) -> list[Edit]:

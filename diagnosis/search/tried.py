@@ -52,7 +52,8 @@ def without(study: Study, placed: Hypothesis, model: Refit, known: float = inf) 
     sites = study.sites
     others = [p.beside([other for other in others if other is not p], sites) for p in others]
     starts = [(model.parameters, p.values) for p in others[-1:]]
-    starts += [(model.parameters, p.joined(placed)) for p in others[-1:] if p.generalises(placed)]
+    joined = [p.joined(placed) for p in others[-1:]]
+    starts += [(model.parameters, values) for values in joined if values is not None]
     try:
         return JointFit(study, model.parameters, others, model).fitted(starts, known)
     except InertanceError:

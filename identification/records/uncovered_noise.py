@@ -49,10 +49,10 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     """Return the noise of a channel in each record if filters let more through than was thought, else None.
 
     From some frequency on, in the mean spectrum of all records, a model says nothing of what was measured.
-    Where that is level up to a multiple of this frequency, and as strong at all times, it is noise: what a
-    machine does on its own falls with frequency. It is taken to be as strong below, and above as strong as
-    was measured. What follows an input is none: a random drive has an even and steady answer, too. Nor is
-    what no sensor would be kept with.
+    Where that is level from there, or from a higher one, up to a multiple of it, and as strong at all times,
+    it is noise: what a machine does on its own falls with frequency. It is taken to be as strong below, and
+    above as strong as was measured. What follows an input is none: a random drive has an even and steady
+    answer, too. Nor is what no sensor would be kept with.
 
     Args:
         records: of one channel; too short ones, and those of which nothing is missed, have the noise of the
@@ -109,22 +109,27 @@ def _level_band(missed: Mapping[Heard, Array], measured: Sequence[Array]) -> sli
     weights = [1 / (np.median(density) or np.inf) for density in missed.values()]
     left, whole = _mean(weights, [*missed.values()]), _mean(weights, measured)
     unknown = np.cumsum(left[::-1])[::-1] >= UNKNOWN_SHARE * np.cumsum(whole[::-1])[::-1]
-    begin, top = max(1, int(np.argmax(unknown))), len(left) - 1
     if not unknown.any():
         return None
-    smooth = smoothed(left)
-    end = next(
-        (
-            place
-            for place in range(max(2 * begin, begin + FEWEST_DENSITIES), top + 1)
-            if smooth[place] < LEVEL_RATIO * np.median(smooth[max(begin, place // 2) : place])
-        ),
-        top,
-    )
-    if end < max(LEAST_SPAN * begin, begin + FEWEST_DENSITIES + 1):
-        return None
-    low, high = np.percentile(smooth[begin:end], [5, 95])
-    return slice(begin, end) if high <= EVEN_RATIO * low else None
+    smooth, first = smoothed(left), max(1, int(np.argmax(unknown)))
+    bands = (slice(begin, _falls(smooth, begin)) for begin in range(first, len(left)))
+    return next((band for band in bands if _is_level(smooth, band)), None)
+
+
+def _falls(smooth: Array, begin: int) -> int:
+    """Return the first place in a spectrum, well after one, where it falls; its top if it does not."""
+    top = len(smooth) - 1
+    places = range(max(2 * begin, begin + FEWEST_DENSITIES), top + 1)
+    before = ((place, smooth[max(begin, place // 2) : place]) for place in places)
+    return next((place for place, level in before if smooth[place] < LEVEL_RATIO * np.median(level)), top)
+
+
+def _is_level(smooth: Array, band: slice) -> bool:
+    """Tell whether a spectrum is level over a band, and this is wide."""
+    if band.stop < max(LEAST_SPAN * band.start, band.start + FEWEST_DENSITIES + 1):
+        return False
+    low, high = np.percentile(smooth[band], [5, 95])
+    return bool(high <= EVEN_RATIO * low)
 
 
 def _mean(weights: Sequence[float], spectra: Sequence[Array]) -> Array:

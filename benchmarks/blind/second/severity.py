@@ -19,6 +19,8 @@ EVERY = 80  # coarse steps, so that a gap is measured at 125 Hz
 APART = 10.0  # chi squared below which two answers are one
 SCALED = 12  # times at most, as a shift is not quite linear
 CLOSE = 1e-4  # change of a size that is none
+REFITS = 4  # steps of parameters, whose answer bends
+HELD = 0.8  # of a gap by slopes, that those must leave
 LARGEST = {"sensor_gain": 0.4, "sensor_delay": 0.04, "actuator_delay": 0.04, "actuator_lag": 0.1}  # 1, s
 LINEAR = ("constant_force", "added_inertia", "sensor_delay", "sensor_bias", "sensor_gain", "actuator_delay")
 
@@ -75,10 +77,29 @@ class Bench(Scale):
         return False
 
     def size(self, effect: Effect, severity: float) -> float | None:
-        """Return the size that makes a gap of `severity`, None if no rig would have an effect so large."""
+        """Return the size that makes a gap of `severity`, None if none does, or if it were too large."""
         size = super().size(effect, severity)
         largest = MASSES.get(effect.place) if effect.kind == "added_inertia" else LARGEST.get(effect.kind)
-        return None if size is None or size > (largest or np.inf) else size
+        if size is None or size > (largest or np.inf):
+            return None
+        return size if self.refitted(effect, size) > HELD * severity else None
+
+    def refitted(self, effect: Effect, size: float) -> float:
+        """Return the rms of the change by an effect over noise that parameters and zeros leave, step by step.
+
+        Slopes alone take what bends for a gap: a gain of a sensor is no other than all of a machine scaled.
+        """
+        changed = self._scaled(self._seen(self.values, [(effect, size)]))
+        count, moved, least = len(self.values), np.zeros(self._slopes.shape[1]), np.inf
+        for _ in range(REFITS):
+            factors = zip(self.values.items(), moved, strict=False)
+            values = {name: float(value * (1 + far)) for (name, value), far in factors}
+            left = changed - self._scaled(self._seen(values, [])) - self._slopes[:, count:] @ moved[count:]
+            if not np.isfinite(left).all():
+                break
+            least = min(least, float(np.sqrt(np.mean(left**2))))
+            moved = moved + np.linalg.solve(self._normal, self._slopes.T @ left - self._known * moved)
+        return least
 
     def _left(self, effects: list[Sized]) -> Array:
         """Return the change by effects over noise that parameters and zeros cannot explain."""
@@ -108,7 +129,7 @@ class Bench(Scale):
                 column = np.zeros((len(self.drives), count, len(self.rig.outputs)))
                 column[record, :, output] = 1.0
                 columns.append(column.ravel())
-        known = [*1 / self.rel**2, *[0.0] * len(columns)]
+        self._known = np.array([*1 / self.rel**2, *[0.0] * len(columns)])
         self._slopes = np.column_stack([self._slopes, *columns])
-        normal = self._slopes.T @ self._slopes + np.diag(known)
-        return np.asarray(np.linalg.solve(normal, self._slopes.T))
+        self._normal = self._slopes.T @ self._slopes + np.diag(self._known)
+        return np.asarray(np.linalg.solve(self._normal, self._slopes.T))

@@ -217,7 +217,33 @@ def test_joined_with_its_special_case_a_law_does_what_both_do(effect: Effect) ->
         return np.column_stack(of.basis(motion, given)) @ sizes
 
     both = Hypothesis(effect, site, "rich_1", own).joined(Hypothesis(plain, site, "plain_1", special))
+    assert both is not None
     assert force(effect, both) == pytest.approx(force(effect, own) + force(plain, special), abs=1e-9)
+    one = Hypothesis(effect, site, "rich_1", own)
+    assert one.special is not None
+    again = replace(one, values=one.joined(one.special) or {})
+    assert again.special is not None
+    sizes = [q.name for q in plain.sizes("translational")]
+    assert [again.special.values[n] for n in sizes] == pytest.approx(
+        [2 * one.special.values[n] for n in sizes]
+    )
+
+
+def test_a_law_takes_over_what_it_has_in_common_with_another() -> None:
+    """Drift of friction and Stribeck's curve both have a level, which the other can have in its place."""
+    site = next(s for s in sites_of(cart()) if s.path == "d1")
+    stribeck, drift, thread = (
+        Hypothesis(effect_of(kind), site, "x_1", values)
+        for kind, values in (
+            ("stribeck_friction", {"f_c": 0.1, "f_s": 0.3, "v_s": 0.2}),
+            ("friction_drift", {"f_c": 0.5, "f_u": 1e-6}),
+            ("position_ripple", {"f_sin": 1.0, "f_cos": 1.0, "period": 0.1}),
+        )
+    )
+    assert stribeck.joined(drift) == pytest.approx({"f_c": 0.6, "f_s": 0.8, "v_s": 0.2})
+    assert drift.joined(stribeck) == pytest.approx({"f_c": 0.7, "f_u": 1e-6})
+    assert stribeck.joined(thread) is None
+    assert stribeck.joined(replace(drift, site=replace(site, path="elsewhere"))) is None
 
 
 def test_the_usual_speed_of_a_site_is_over_time_not_over_points() -> None:

@@ -118,6 +118,20 @@ def test_noise_that_is_hardly_above_the_steps_of_a_sensor(bits: int, order: int,
     assert [f.sigma for f in found] == pytest.approx([float(np.std(part)) for part in missed], rel=0.15)
 
 
+def test_noise_is_seen_beyond_a_motion_that_a_model_misses_wholly() -> None:
+    """What a ripple makes of a motion falls with frequency; the noise is level where that is below it."""
+    rng, time = np.random.default_rng(4), np.arange(40000) / RATE
+    rattle = rng.standard_normal(len(time))
+    for _ in range(3):
+        rattle = lfilter([0.02], [1.0, -0.98], rattle)
+    signal = np.sin(11 * time)
+    noise = Filter(cutoff=100.0, order=2).apply(0.02 * rng.standard_normal(len(time)), RATE)
+    measured = grid(signal + 0.6 * rattle / rattle.std() + noise, 16)
+    found = uncovered(signal, measured, RATE, parts=4)
+    assert found is not None
+    assert [floor.white(RATE) for floor in found] == pytest.approx([0.02] * 4, rel=0.2)
+
+
 def test_records_that_were_sampled_at_other_rates_are_looked_at_together() -> None:
     rng, heard = np.random.default_rng(10), []
     for rate in (1000.0, 250.0, 500.0):
