@@ -11,7 +11,6 @@ from math import inf
 from ...base import computing
 from ...components import InertanceError
 from ..criteria import (
-    LAW_FORESEEN_SHARE,
     LAW_RESOLVED,
     LIKENED_LEAST_GAIN,
     LOST_LEAST,
@@ -148,7 +147,7 @@ def _rounds(study: Study, law: Law, missing: MissingForce) -> Iterator[tuple[Law
 
     What is learnt of it makes them longer. A law that foresees little of the force is not fitted.
     """
-    if law.explained < LAW_FORESEEN_SHARE:
+    if not law.is_foreseen:
         return
     training = copy(study.campaign)
     training.testing = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import combinations
 from typing import Any
 
@@ -14,11 +15,13 @@ from ...components import Component, ModelError
 from ..criteria import (
     CLEAR_STANDARD_ERRORS,
     LAW_FINER,
+    LAW_FORESEEN_SHARE,
     LAW_LEAST_GAIN,
     LAW_MANY_TIMES,
     LAW_MOST_POINTS,
     LAW_PAIR_SHARE,
     LAW_RESOLVED,
+    LAW_SHOWN_SHARE,
 )
 from ..effects.effect import Motion
 from ..effects.sites import Site
@@ -47,6 +50,7 @@ class Law:
         fit: how it was fitted.
         runs: the motion along which it was.
         forces: the missing force along them, beside the parameters of the law.
+        shown: whether the shares are of the force itself along the motion, as where records do not tell it.
     """
 
     site: Site
@@ -60,6 +64,7 @@ class Law:
     runs: Sequence[Beside] = field(repr=False)
     number: int = field(repr=False)
     forces: Sequence[Array] = field(repr=False)
+    shown: bool = False
 
     @property
     def grid(self) -> Grid:
@@ -73,6 +78,11 @@ class Law:
         return self.shares[self.variables]
 
     @property
+    def is_foreseen(self) -> bool:
+        """Whether it foresees enough to be tried in runs."""
+        return self.explained >= (LAW_SHOWN_SHARE if self.shown else LAW_FORESEEN_SHARE)
+
+    @property
     def unit(self) -> str:
         """That of the force."""
         return UNITS[self.site.domain]["load"]
@@ -81,6 +91,11 @@ class Law:
     def units(self) -> tuple[str, ...]:
         """Those of the variables."""
         return tuple(UNITS[self.site.domain][variable] for variable in self.variables)
+
+    @property
+    def of_what(self) -> str:
+        """What its shares are of, in words."""
+        return "the missing force" if self.shown else "what is missing"
 
     @property
     def told(self) -> str:
@@ -134,15 +149,15 @@ class Law:
         return rows_of(self.grid, self.values)
 
     def finer(self) -> Law:
-        """Return the same law with twice as many points over position, if it is smooth; itself if not."""
-        axis = self.grid.axes[0]
-        points = 2 * len(axis.points) - 1
-        if not axis.smooth or points > LAW_MOST_POINTS:
+        """Return the same law of one variable with a point more between any two; itself if too many."""
+        axis, *rest = self.grid.axes
+        if rest or 2 * len(axis.points) - 1 > LAW_MOST_POINTS:
             return self
-        grid = Grid((replace(axis, points=np.linspace(axis.points[0], axis.points[-1], points)),))
-        values = axis.basis(grid.axes[0].points) @ self.values
+        between = 0.5 * (axis.points[1:] + axis.points[:-1])
+        grid = Grid((replace(axis, points=np.union1d(axis.points, between)),))
+        values, error = (axis.basis(grid.axes[0].points) @ f for f in (self.values, self.standard_error))
         fit = replace(self.fit, grid=grid, values=values)
-        return replace(self, points=grid.places, values=values, fit=fit)
+        return replace(self, points=grid.places, values=values, standard_error=error, fit=fit)
 
     def component(self) -> Component:
         """Return a `TabulatedForce` that has this law.
@@ -177,7 +192,7 @@ class Law:
     def __str__(self) -> str:
         """Say what the force depends on, and how."""
         over = " and ".join(self.variables)
-        told = f"force at {self.site.path} over {over}: {self.explained:.1%} of what is missing foreseen"
+        told = f"force at {self.site.path} over {over}: {self.explained:.1%} of {self.of_what} foreseen"
         others = sorted(self.shares.items(), key=lambda one: -one[1])
         rest = ", ".join(f"{' and '.join(v)} {share:.0%}" for v, share in others if v != self.variables)
         return "; ".join([f"{told} ({rest})" if rest else told, *self.traits])
@@ -200,12 +215,26 @@ def element_of(site: Site, grid: Grid, values: Array, origin: float) -> Componen
 
 
 def rows_of(grid: Grid, values: Array) -> list[tuple[float, ...]]:
-    """Return rows of a table; of a smooth law so many that what is between them does not matter."""
-    if not grid.axes[0].smooth:
-        return _written(grid.places, values)
+    """Return rows of a table; of a smooth law so many that what is between them does not matter.
+
+    A map has one point more beyond each end, where it is as at that end: its slopes there, in one variable at
+    each value of the other, are no machine's.
+    """
+    if len(grid.axes) > 1:
+        wider = Grid(tuple(replace(axis, points=_wider(axis.points)) for axis in grid.axes))
+        sizes = [len(axis.points) for axis in grid.axes]
+        return _written(wider.places, np.pad(values.reshape(sizes), 1, mode="edge").ravel())
     (axis,) = grid.axes
+    if not axis.smooth:
+        return _written(grid.places, values)
     fine = np.linspace(axis.points[0], axis.points[-1], LAW_FINER * (len(axis.points) - 1) + 1)
     return _written(fine[:, None], axis.basis(fine) @ values)
+
+
+def _wider(points: Array) -> Array:
+    """Return points with one more as far beyond each end as they span."""
+    span = points[-1] - points[0]
+    return np.concatenate([[points[0] - span], points, [points[-1] + span]])
 
 
 def _written(places: Array, values: Array) -> list[tuple[float, ...]]:
@@ -227,16 +256,24 @@ class Drawing:
         mean = sum(m.distance * float(np.ptp(m.t)) for m in motions) / lasting
         self.origin = float(resting[0].s[0]) if resting else mean
         self.motions = [moved(run, number, self.origin) for run in runs]
-        nothing = Tallies.of(runs, number, None)
-        self.nothing, self.counts = fitted(nothing, None), nothing.independent
+
+    @cached_property
+    def nothing(self) -> Fitted:
+        """What is left without a law."""
+        return fitted(self.tallies(None), None)
+
+    @cached_property
+    def counts(self) -> Array:
+        """By fold, how many samples count."""
+        return self.tallies(None).independent
 
     def grid(self, variables: Sequence[str], finer: int = 1, even: bool = False) -> Grid:
         """Return the points of a law over variables."""
         pair = len(variables) > 1
         return Grid(tuple(Axis.over(name, self.motions, pair, finer, even) for name in variables))
 
-    def tallies(self, grid: Grid) -> Tallies:
-        """Return what there is to fit a law by."""
+    def tallies(self, grid: Grid | None) -> Tallies:
+        """Return what there is to fit a law by, or to see what is missing without one."""
         return Tallies.of(self.runs, self.number, grid, self.origin)
 
     def fitted(self, variables: Sequence[str]) -> Fitted:
@@ -305,13 +342,15 @@ class Drawing:
             for some in (STATIC, pairs):
                 better = [p for p in some if len(p) == 2 and self._pays(found[p], found[best])]
                 best = max(better, key=likeness, default=best)
-        fit = found[best]
-        shares = {one: self.share(law) for one, law in found.items()}
+        return self._law(found[best], {one: self.share(law) for one, law in found.items()})
+
+    def _law(self, fit: Fitted, shares: Mapping[tuple[str, ...], float]) -> Law:
+        """Return the law of a fit."""
         assert fit.grid is not None
         error = np.sqrt(np.maximum(np.diag(fit.covariance), 0.0))
         return Law(
-            self.site, best, fit.grid.places, fit.values, error, self.origin, shares, fit, self.runs,
-            self.number, tuple(self.settled.beside(fit.moved)),
+            self.site, fit.grid.variables, fit.grid.places, fit.values, error, self.origin, shares, fit,
+            self.runs, self.number, tuple(self.settled.beside(fit.moved)),
         )  # fmt: skip
 
     def _pays(self, richer: Fitted, plain: Fitted) -> bool:

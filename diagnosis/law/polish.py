@@ -146,7 +146,8 @@ def _step(study: Study, law: Law, here: Trial) -> Callable[[float], Trial]:
     """Return what makes a trial a share of the way to what is best along the runs so far."""
     before = _moved(study, here.given)
     tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
-    found = fitted(tallies.held(before, LAW_HELD_SHARE), law.grid, stiffness=law.fit.stiffness)
+    stiffness = None if law.shown else law.fit.stiffness  # what the force bore says nothing of what runs do
+    found = fitted(tallies.held(before, LAW_HELD_SHARE), law.grid, stiffness=stiffness)
     unknown = np.concatenate([found.moved, found.values])
     begun = []
     for run in here.runs:

@@ -57,6 +57,19 @@ class Tallies:
             raise SimulationError(f"a force at {runs[0].bench.sites[number].path} makes the model unstable")
         return cls(np.array(grams), np.array(counts), shared)
 
+    @classmethod
+    def of_forces(
+        cls, motions: Sequence[Motion], forces: Sequence[Array], sizes: Sequence[Array], grid: Grid | None
+    ) -> Tallies:
+        """Return those of forces along motions themselves, each over the size of its error."""
+        grams, counts = [], []
+        for motion, force, size in zip(motions, forces, sizes, strict=True):
+            parts = [force[:, None], *([] if grid is None else [grid.basis(motion)])]
+            for fold in np.array_split(np.hstack(parts) / size[:, None], LAW_FOLDS):
+                grams.append(fold.T @ fold)
+                counts.append(len(fold))
+        return cls(np.array(grams), np.array(counts, dtype=float), 0)
+
     def held(self, near: Array, share: float) -> Tallies:
         """Return them with parameters tied to where they are, by a share of what the records tell of each.
 

@@ -10,12 +10,20 @@ import numpy as np
 
 from ...base import computing
 from ...components import InertanceError
-from ..criteria import LAW_CHANGING_SHARE, LAW_CLOSED_SHARE, LAW_FORESEEN_SHARE, LAW_SITES
+from ..criteria import (
+    LAW_CHANGING_SHARE,
+    LAW_CLOSED_SHARE,
+    LAW_FINER_SHARE,
+    LAW_FORESEEN_SHARE,
+    LAW_RESOLVED,
+    LAW_SITES,
+)
 from ..models.study import Study
 from ..search.model_comparison import Refit, is_clear
 from .law import STATIC, Drawing, Law
 from .missing_force import MissingForce, force_of
 from .polish import Polished, polished
+from .shown import Showing
 
 ALL_OF_IT, SPANS_TOLD = 0.99, 3  # [1] of a force's square that is all of it, stretches told in a sentence
 
@@ -96,15 +104,36 @@ def sought(study: Study, model: Refit) -> Sought | None:
         missing, law, foreseen = best_law(study, model, missing)
     except InertanceError:
         return None
-    if law.explained < LAW_FORESEEN_SHARE:
+    if not law.is_foreseen:
         return Sought(model, missing, foreseen, None, "foresees too little of it")
+    return judged(study, model, missing, law, foreseen)
+
+
+def judged(
+    study: Study, model: Refit, missing: MissingForce, law: Law, foreseen: Mapping[str, float]
+) -> Sought:
+    """Return what comes of a law in free runs, beside a model without it."""
     if study.late():
         return Sought(model, missing, foreseen, None, "was not tried in free runs: the time ended")
     try:
-        found = polished(study, law)
+        found = _polished(study, law)
     except InertanceError:
         return Sought(model, missing, foreseen, None, "cannot be run in the model")
     return Sought(model, missing, foreseen, _drawn(missing, found), refusal(model, found))
+
+
+def _polished(study: Study, law: Law) -> Polished:
+    """Return a law fitted to free runs, with more points while that pays."""
+    found = polished(study, law)
+    while found.left > LAW_RESOLVED and not study.late():
+        finer = found.law.finer()
+        if finer is found.law:
+            break
+        closer = polished(study, finer)
+        if closer.left > LAW_FINER_SHARE * found.left:
+            break
+        found = closer
+    return found
 
 
 def _drawn(missing: MissingForce, found: Polished) -> Polished:
@@ -119,7 +148,8 @@ def _drawn(missing: MissingForce, found: Polished) -> Polished:
 def best_law(study: Study, model: Refit, missing: MissingForce) -> tuple[MissingForce, Law, dict[str, float]]:
     """Return the force where a static law foresees most of it, the law, and by site how much that is.
 
-    The likeliest site for a force is kept if a law there foresees enough.
+    The likeliest site for a force is kept if a law there foresees enough. Where none does at any site, it is
+    the law that the force shows, if it shows one.
     """
     law = Drawing(missing.site, missing.settled).law(among=STATIC)
     first, sites = missing.site.path, missing.search.bench.sites
@@ -134,6 +164,9 @@ def best_law(study: Study, model: Refit, missing: MissingForce) -> tuple[Missing
     if best != first and foreseen[best] >= LAW_FORESEEN_SHARE:
         missing = force_of(study, model, best)
         law = Drawing(missing.site, missing.settled).law(among=STATIC)
+    if not law.is_foreseen:
+        shown = Showing(missing.site, missing.settled).law(among=STATIC)
+        law = shown if shown.is_foreseen else law
     return missing, law, foreseen
 
 

@@ -47,7 +47,7 @@ def without_last(study: Study, model: Refit) -> Without | None:
     number = next((n for n, s in enumerate(search.bench.sites) if s.path == placed.site.path), None)
     if number is None or placed.effect.place not in ("across", "loaded"):
         return None
-    own, motions = _own(study, model, number)
+    own, motions = forces_of(study, model, [placed], number)
     numbers, sizes = search.movable()
     if number not in numbers or not own:
         return None
@@ -56,7 +56,7 @@ def without_last(study: Study, model: Refit) -> Without | None:
     settled = search.settled(number, rough)
     fitted = np.array([model.parameters[name] for name in search.bench.names])
     forces = settled.beside((fitted - search.bench.centers) / search.bench.scales)
-    variable = min(DRAWN, key=lambda name: _scatter(motions, own, name))
+    variable = plainest(DRAWN, motions, own)
     return Without(
         placed,
         variable,
@@ -65,22 +65,31 @@ def without_last(study: Study, model: Refit) -> Without | None:
     )
 
 
-def _own(study: Study, model: Refit, number: int) -> tuple[list[Array], list[Motion]]:
-    """Return the force of the last effect, and how its site moves, in each training record."""
-    bench, placed = Bench(study, [*model.parameters], model.effects), model.effects[-1]
+def forces_of(
+    study: Study, model: Refit, parts: Sequence[Hypothesis], number: int
+) -> tuple[list[Array], list[Motion]]:
+    """Return what effects of a model at a site do together, and how it moves, in each training record.
+
+    Both are empty where an effect is no force of its own.
+    """
+    bench = Bench(study, [*model.parameters], model.effects)
     forces, motions = [], []
     for experiment, start in zip(study.campaign.training, model.starts, strict=False):
         begin = bench.begin(experiment, model.parameters, start)
         run = bench.run(experiment, model.parameters, begin)
-        name = f"{placed.name}.{placed.site.mechanics.through}"
-        if name not in run.found.run:
+        names = [f"{placed.name}.{placed.site.mechanics.through}" for placed in parts]
+        if any(name not in run.found.run for name in names):
             return [], []
-        forces.append(run.found.run[name])
+        forces.append(np.sum([run.found.run[name] for name in names], axis=0))
         motions.append(run.motion(number))
     return forces, motions
 
 
-def _scatter(motions: Sequence[Motion], forces: Sequence[Array], variable: str) -> float:
-    """Return how far a force goes up and down along a variable: least where it is a plain curve."""
-    x = np.concatenate([along(motion, variable) for motion in motions])
-    return float(np.abs(np.diff(np.concatenate(forces)[np.argsort(x)])).sum())
+def plainest(variables: Sequence[str], motions: Sequence[Motion], forces: Sequence[Array]) -> str:
+    """Return along which variable a force goes up and down least: it is a plain curve of that."""
+
+    def scatter(variable: str) -> float:
+        x = np.concatenate([along(motion, variable) for motion in motions])
+        return float(np.abs(np.diff(np.concatenate(forces)[np.argsort(x)])).sum())
+
+    return min(variables, key=scatter)

@@ -29,8 +29,8 @@ def force_blocks(verdict: Verdict) -> Iterator[str | Shown]:
     if law is not None:
         unit = pretty_unit(law.unit)
         yield f"<p>Dots: the force that is missing at {escape(law.site.path)}, by training records, where a "
-        yield f"law foresees {law.explained:.1%} of it in stretches that it was not fitted to. Line: the "
-        yield "law, fitted to free runs, with a band of two standard errors; "
+        yield f"law foresees {law.explained:.1%} of {law.of_what} in stretches that it was not fitted to. "
+        yield "Line: the law, fitted to free runs, with a band of two standard errors; "
         span = number(float(law.values.max() - law.values.min()))
         yield f"{escape('; '.join([f'it ranges over {span} {unit}', *law.traits]))}.</p>"
         yield "law", of_law(law)

@@ -5,9 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..criteria import LAW_LEAVES_SHARE, LOST_LEAST, LOST_STANDARD_DEVIATIONS, PIECE_FITS
+from ..criteria import (
+    LAW_LEAVES_SHARE,
+    LAW_MANY_PARTS,
+    LOST_LEAST,
+    LOST_STANDARD_DEVIATIONS,
+    PIECE_FITS,
+)
 from ..effects.hypothesis import Hypothesis
 from ..law.in_pieces import InPieces, likest, refitted
+from ..law.in_place import in_place
 from ..law.likened import likened
 from ..law.sought import Sought, sought
 from ..models.study import FMUStudy, Study
@@ -175,19 +182,20 @@ def _with_law(study: Study, verdict: Verdict, found: Sought) -> Verdict:
 def _in_place(study: Study, verdict: Verdict, several: int) -> Verdict:
     """Return one law in place of so many static effects at a site, if they leave much more than it does.
 
-    Each of them may be but a part of the curve that is there, as far as its form allows.
+    Each of them may be but a part of the curve that is there, as far as its form allows. Where many of them
+    are, a law of one variable need but leave as little.
     """
     evidence, after = verdict.evidence, verdict.evidence.after
     parts = max(_by_site(after), key=len, default=[])
-    if len(parts) < several or after.is_noise(evidence.study.judged):
+    many = len(parts) >= LAW_MANY_PARTS
+    if len(parts) < several or (after.is_noise(evidence.study.judged) and not many):
         return verdict
     found = _sought_without(evidence.study, after, parts)
-    if found is None or found.model is None:
+    if found is None or found.law is None or found.model is None:
         return verdict
-    left = 1.0 - closed_by(found.model, evidence.refit, study)
-    if left > LAW_LEAVES_SHARE * (1.0 - closed_by(after, evidence.refit, study)):
-        return verdict
-    return _with_law(study, verdict, found)
+    left, left_by_parts = (1.0 - closed_by(m, evidence.refit, study) for m in (found.model, after))
+    alike = many and len(found.law.variables) == 1 and found.model.misfit <= after.misfit
+    return _with_law(study, verdict, found) if alike or left <= LAW_LEAVES_SHARE * left_by_parts else verdict
 
 
 def _by_site(model: Refit) -> list[list[Hypothesis]]:
@@ -223,6 +231,4 @@ def _sought_without(study: Study, model: Refit, parts: Sequence[Hypothesis]) -> 
     if less is None:
         return None
     study.tell(f"looking for a law in place of {' and '.join(placed.label for placed in parts)}")
-    alone = sought(study.displaced(less.effects), less)
-    here = parts[0].site.path, *parts[0].site.same
-    return alone if alone and alone.law and alone.law.site.path in here else None
+    return in_place(study, model, parts, less)

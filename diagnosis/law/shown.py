@@ -1,0 +1,47 @@
+"""Laws that a missing force itself shows, along the motion that it makes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ..effects.sites import Site
+from .axes import Grid
+from .law import Drawing, Law
+from .regression import Fitted, Tallies
+from .search import Settled
+
+
+class Showing(Drawing):
+    """Laws tried of a force by its course itself, and not by what it does to what is measured.
+
+    Where a law is so steep that it holds the speed of its joint, or where a small error of it leads a machine
+    elsewhere, what is linear along the motion foresees next to nothing of what is missing, and the force is a
+    curve all the same. Its points count by their errors, at least by the median of these.
+    """
+
+    def __init__(self, site: Site, settled: Settled) -> None:
+        super().__init__(site, settled)
+        errors = [np.maximum(error.values, 0.0) for error in settled.errors]
+        usual = max(float(np.median(np.concatenate(errors))), 1e-3 * settled.rms)
+        self.sizes = [np.hypot(error, usual) for error in errors]
+        forces, weights = (
+            np.concatenate(parts)
+            for parts in ([f.values for f in settled.forces], [1 / s**2 for s in self.sizes])
+        )
+        self.mean = float(np.average(forces, weights=weights))
+        self.left = 0.0
+
+    def tallies(self, grid: Grid | None) -> Tallies:
+        """Return what there is to fit a law by; its mean is told by no law."""
+        forces = [force.values - self.mean for force in self.settled.forces]
+        return Tallies.of_forces(self.motions, forces, self.sizes, grid)
+
+    def _law(self, fit: Fitted, shares: Mapping[tuple[str, ...], float]) -> Law:
+        """Return the law of a fit, beside the parameters as they are with the force."""
+        bench = self.runs[0].bench
+        given = np.array([self.settled.given[name] for name in bench.names])
+        fit = replace(fit, values=fit.values + self.mean, moved=(given - bench.centers) / bench.scales)
+        return replace(super()._law(fit, shares), shown=True)
