@@ -16,7 +16,6 @@ from .law import STATIC, Drawing, Law
 from .missing_force import MissingForce, force_of
 from .polish import first_trial
 from .regression import through
-from .shown import Showing
 from .sought import Sought, judged
 from .without import forces_of, plainest
 
@@ -44,7 +43,7 @@ def _begun(study: Study, model: Refit, parts: Sequence[Hypothesis], missing: Mis
     yield drawn
     if drawn.explained >= LAW_FORESEEN_SHARE:
         return
-    yield Showing(missing.site, missing.settled).law(among=STATIC)
+    yield missing.shown()
     forces, motions = forces_of(study, model, parts, missing.settled.number)
     if forces:
         variable = plainest(("position", "speed"), motions, forces)

@@ -43,13 +43,14 @@ class Law:
         variables: one or two of "position", "speed", "acceleration", "load" and "time".
         points: their values at the points of the law, (points, variables), SI units; positions count from
             `origin`.
-        values, standard_error: the force there.
+        values, standard_error: the force there; the error is of its course alone if its level is unknown.
         origin: where the site rests.
         shares: by variables that were tried, the share of what is missing that a law of them foresees in
             stretches that it was not fitted to.
         fit: how it was fitted.
         runs: the motion along which it was.
         forces: the missing force along them, beside the parameters of the law.
+        level_known: whether records tell a constant in it from zeros of sensors and from where they begin.
         shown: whether the shares are of the force itself along the motion, as where records do not tell it.
     """
 
@@ -64,6 +65,7 @@ class Law:
     runs: Sequence[Beside] = field(repr=False)
     number: int = field(repr=False)
     forces: Sequence[Array] = field(repr=False)
+    level_known: bool = True
     shown: bool = False
 
     @property
@@ -347,11 +349,20 @@ class Drawing:
     def _law(self, fit: Fitted, shares: Mapping[tuple[str, ...], float]) -> Law:
         """Return the law of a fit."""
         assert fit.grid is not None
-        error = np.sqrt(np.maximum(np.diag(fit.covariance), 0.0))
+        error, known = self._error(fit.grid, fit)
         return Law(
             self.site, fit.grid.variables, fit.grid.places, fit.values, error, self.origin, shares, fit,
-            self.runs, self.number, tuple(self.settled.beside(fit.moved)),
+            self.runs, self.number, tuple(self.settled.beside(fit.moved)), known,
         )  # fmt: skip
+
+    def _error(self, grid: Grid, fit: Fitted) -> tuple[Array, bool]:
+        """Return the standard error of a law at its points, and whether its level is known."""
+        visited = np.mean([grid.basis(motion).mean(axis=0) for motion in self.motions], axis=0)
+        covariance, known = fit.covariance, True
+        if visited @ covariance @ visited > np.ptp(fit.values) ** 2:
+            course = np.eye(len(visited)) - visited
+            covariance, known = course @ covariance @ course.T, False
+        return np.sqrt(np.maximum(np.diag(covariance), 0.0)), known
 
     def _pays(self, richer: Fitted, plain: Fitted) -> bool:
         """Tell whether a law takes away much of what a simpler one leaves, and clearly."""

@@ -21,6 +21,7 @@ from .axes import VARIABLES
 from .law import STATIC, Drawing, Law
 from .polish import polished
 from .search import Search, Settled
+from .shown import Showing
 from .spans import spans
 
 
@@ -128,6 +129,19 @@ class MissingForce:
         """
         chosen = None if variables is None else _variables(variables)
         return Drawing(self.site, self.settled).law(chosen)
+
+    def shown(self, variables: Sequence[str] | None = None) -> Law:
+        """Return the law that the force itself shows along the motion, by what it foresees of its own course.
+
+        What records say of a law that holds the speed of its joint, or that sends a machine elsewhere for a
+        small error, is not linear, and `law` foresees little of them.
+
+        Args:
+            variables: "position", "speed" or both; the one that foresees most if not given, both if that is
+                too little.
+        """
+        showing = Showing(self.site, self.settled)
+        return showing.plainest() if variables is None else showing.law(_variables(variables))
 
     def polished(self, variables: Sequence[str] | None = None) -> tuple[Law, float]:
         """Return a law of position, speed or both that is fitted to free runs, and what these miss.

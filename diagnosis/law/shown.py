@@ -9,9 +9,11 @@ import numpy as np
 
 from ..effects.sites import Site
 from .axes import Grid
-from .law import Drawing, Law
+from .law import STATIC, Drawing, Law
 from .regression import Fitted, Tallies
 from .search import Settled
+
+SINGLE = tuple(variables for variables in STATIC if len(variables) == 1)
 
 
 class Showing(Drawing):
@@ -33,6 +35,11 @@ class Showing(Drawing):
         )
         self.mean = float(np.average(forces, weights=weights))
         self.left = 0.0
+
+    def plainest(self) -> Law:
+        """Return the law of one variable that foresees most, of two if that foresees too little."""
+        one = self.law(among=SINGLE)
+        return one if one.is_foreseen else self.law(among=STATIC)
 
     def tallies(self, grid: Grid | None) -> Tallies:
         """Return what there is to fit a law by; its mean is told by no law."""

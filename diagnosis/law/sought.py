@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,6 @@ from ..search.model_comparison import Refit, is_clear
 from .law import STATIC, Drawing, Law
 from .missing_force import MissingForce, force_of
 from .polish import Polished, polished
-from .shown import Showing
 
 ALL_OF_IT, SPANS_TOLD = 0.99, 3  # [1] of a force's square that is all of it, stretches told in a sentence
 
@@ -95,7 +95,8 @@ class Sought:
 def sought(study: Study, model: Refit) -> Sought | None:
     """Return what comes of looking for a static law beside a model; None where no force can be found.
 
-    Sites other than the likeliest are tried if no law there foresees enough.
+    Sites other than the likeliest are tried if no law there foresees enough. Where free runs with a law that
+    records foresee miss more than noise, the one that the force shows is tried, too.
     """
     try:
         missing = force_of(study, model)
@@ -106,7 +107,12 @@ def sought(study: Study, model: Refit) -> Sought | None:
         return None
     if not law.is_foreseen:
         return Sought(model, missing, foreseen, None, "foresees too little of it")
-    return judged(study, model, missing, law, foreseen)
+    found = judged(study, model, missing, law, foreseen)
+    if law.shown or (found.found is not None and found.found.left <= LAW_RESOLVED):
+        return found
+    shown = missing.shown()
+    other = judged(study, model, missing, shown, foreseen) if shown.is_foreseen else found
+    return min(found, other, key=lambda one: inf if one.model is None else one.model.misfit)
 
 
 def judged(
@@ -165,7 +171,7 @@ def best_law(study: Study, model: Refit, missing: MissingForce) -> tuple[Missing
         missing = force_of(study, model, best)
         law = Drawing(missing.site, missing.settled).law(among=STATIC)
     if not law.is_foreseen:
-        shown = Showing(missing.site, missing.settled).law(among=STATIC)
+        shown = missing.shown()
         law = shown if shown.is_foreseen else law
     return missing, law, foreseen
 

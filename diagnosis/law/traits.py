@@ -20,6 +20,8 @@ def traits_of(law: Law) -> list[str]:
         x, f, error = law.grid.axes[0].points, law.values, law.standard_error
         span = float(np.ptp(f))
         told += [*_step(law, x, f, span), *_symmetry(x, f, error, span), *_direction(f, error, span)]
+    if not law.level_known:
+        told.append("known but for a constant, which zeros of sensors or starts of records make up for")
     if law.is_static and law.explained < 1 - LAW_MEMORY_SHARE:
         told.append(
             f"{1 - law.explained:.0%} of what is missing is no law of it: memory, or another cause beside it"

@@ -1,0 +1,198 @@
+"""Laws that the missing force shows, where they hold the speed of their joint; maps, levels, points."""
+
+from dataclasses import replace
+from typing import Any
+
+import casadi as ca
+import inertance as ia
+import numpy as np
+import pytest
+from inertance import rotational
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.law.axes import Axis, Grid
+from inertance.diagnosis.law.in_place import in_place
+from inertance.diagnosis.law.law import rows_of
+from inertance.diagnosis.law.sought import sought
+from inertance.diagnosis.models.study import Study
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
+
+NOISE, RATE, SECONDS, BEGINS = 1e-4, 200.0, 6.0, 12.0
+SPEEDS, WIDTH = (-0.2, 0.25), 0.01  # [rad/s]
+
+
+class Clutch(ia.rotational.CompliantWithSpeed):
+    """Torque that rises by 0.5 N.m at each of two speeds, where it holds the joint."""
+
+    def equations(self) -> Any:
+        yield self.tau == sum(0.25 * (ca.tanh((self.w_rel - w) / WIDTH) + np.tanh(w / WIDTH)) for w in SPEEDS)
+
+
+def rotor(*parts: ia.Component, c: float = 40.0, d: float = 0.12) -> ia.Network:
+    net = ia.Network("rotor", frame=rotational.Fixed(), motor=rotational.Inertia(J=0.02))
+    net.add(bearing=rotational.Damper(d=d), coupling=rotational.SpringDamper(c=c, d=0.03))
+    net.add(load=rotational.Inertia(J=0.03), brake=rotational.Damper(d=0.1), drive=rotational.Torque())
+    net.connect(net.frame.flange, net.bearing.flange_a, net.brake.flange_a)
+    net.connect(net.bearing.flange_b, net.motor.flange, net.coupling.flange_a, net.drive.flange)
+    net.connect(net.coupling.flange_b, net.load.flange, net.brake.flange_b)
+    for part in parts:
+        net.add(extra=part)
+        net.connect(net.motor.flange, net.extra.flange_a).connect(net.extra.flange_b, net.load.flange)
+    return net
+
+
+class Bulge(ia.CompliantWithSpeed):
+    """f = 8 N tanh(s/4 mm)^5."""
+
+    def equations(self) -> Any:
+        yield self.f == 8 * ca.tanh(self.s_rel / 4e-3) ** 5
+
+
+def cart(*parts: ia.Component, k: float = 400.0) -> ia.Network:
+    net = ia.Network(
+        "cart", wall=ia.Fixed(), spring=ia.SpringDamper(k=k, d=6.0), mass=ia.Mass(m=1.0), push=ia.Force()
+    )
+    net.connect(net.wall.flange, net.spring.flange_a)
+    net.connect(net.spring.flange_b, net.mass.flange, net.push.flange)
+    for part in parts:
+        net.add(extra=part)
+        net.connect(net.wall.flange, net.extra.flange_a).connect(net.extra.flange_b, net.mass.flange)
+    return net
+
+
+def campaign(part: ia.Component, offset: float = 0.0) -> Campaign:
+    """Return records that begin in motion, late by the clock, some with a zero of their own."""
+    true, rng, records = cart(part, k=430.0), np.random.default_rng(2), []
+    for number in range(3):
+        shape = Multisine(rms=9.0 - number, low=0.4, high=4.0, period=3.0, seed=number)
+        force = sampled(shape, stop=SECONDS + 1, rate=RATE, fade=0.3)
+        run = true.simulate(SECONDS + 1, step=1 / RATE, inputs={"push.f": force})
+        t = np.asarray(force.time)
+        x = np.interp(t, run.time, run["mass.s"]) + NOISE * rng.standard_normal(len(t)) + number * offset
+        kept = t >= 1.0
+        record = Record(f"run {number}", t[kept] + BEGINS, {"F": force.values[kept], "x": x[kept]})
+        records.append({"record": record} | ({"offset": ["x"]} if offset else {}))
+    return Campaign(
+        cart(),
+        channels={"F": {"input": "push.f", "unit": "N"}, "x": {"output": "mass.s", "unit": "m"}},
+        parameters={"spring.k": {"rel": 0.1}, "spring.d": {"rel": 0.2}},
+        train=records[:2],
+        test=records[2:],
+        noise={"x": NOISE},
+    )
+
+
+def fitted(records: Campaign) -> tuple[Study, Any]:
+    study = Study(records, Accuracy())
+    return study, JointFit(study, records.start).fitted()
+
+
+@pytest.fixture(scope="module")
+def slipping() -> Campaign:
+    """Return records of a rotor with a clutch in its coupling, of which one side each is measured."""
+    true, rng, records = rotor(Clutch(), c=37.4, d=0.133), np.random.default_rng(4), []
+    noise = {"w": 0.017, "angle": 0.005}
+    for number in range(3):
+        shape = Multisine(rms=1.1, low=0.3, high=8.0, period=5.0, seed=number)
+        torque = sampled(shape, stop=11.0, rate=250.0, fade=0.3)
+        run = true.simulate(11.0, step=4e-3, inputs={"drive.tau": torque})
+        t = np.asarray(torque.time)
+        seen = {"w": run["motor.w"], "angle": run["load.phi"]}
+        values = {
+            n: np.interp(t, run.time, v) + noise[n] * rng.standard_normal(len(t)) for n, v in seen.items()
+        }
+        kept = t >= 1.0
+        values = {"u": torque.values[kept]} | {n: v[kept] for n, v in values.items()}
+        records.append({"record": Record(f"run {number}", t[kept] + BEGINS, values)})
+    channels = {"w": {"output": "motor.w", "unit": "rad/s"}, "angle": {"output": "load.phi", "unit": "rad"}}
+    return Campaign(
+        rotor(),
+        channels={"u": {"input": "drive.tau", "unit": "N.m"}, **channels},
+        parameters={name: {"rel": 0.1} for name in ("coupling.c", "bearing.d", "brake.d")},
+        train=records[:2],
+        test=records[2:],
+        noise=noise,
+    )
+
+
+def test_a_law_that_holds_the_speed_is_shown_by_the_force(slipping: Campaign) -> None:
+    missing = ia.missing_force(slipping, "coupling")
+    law = missing.shown()
+    assert law.variables == ("speed",)
+    assert law.is_foreseen
+    assert missing.law("speed").of_what == "what is missing"
+    assert "of the missing force foreseen" in str(law)
+    with pytest.raises(ia.ModelError, match="over one or two"):
+        missing.shown("sped")
+
+
+def test_what_the_force_shows_is_a_law_of_free_runs(slipping: Campaign) -> None:
+    study, base = fitted(slipping)
+    found = sought(study, base)
+    assert found is not None
+    assert found.law is not None, found.refused
+    assert found.model is not None
+    assert found.law.shown
+    assert (found.law.site.path, found.law.variables) == ("coupling", ("speed",))
+    assert found.model.misfit < 1.2 < 0.5 * base.misfit
+    x, f = found.law.points[:, 0], found.law.values
+    true = sum(0.25 * (np.tanh((x - w) / WIDTH) + np.tanh(w / WIDTH)) for w in SPEEDS)
+    away = np.all([np.abs(x - w) > 0.06 for w in SPEEDS], axis=0) & (np.abs(x) < 0.4)
+    assert np.quantile(np.abs(f - true)[away], 0.9) < 0.06
+
+
+def test_one_law_takes_the_place_of_effects_whatever_it_foresees() -> None:
+    """Begun as the effects have it, though the records foresee nothing of it."""
+    study, base = fitted(campaign(Bulge()))
+    site = next(s for s in study.sites if s.path == "spring")
+    parts = [
+        Hypothesis(effect_of(kind), site, f"{kind}_1", values)
+        for kind, values in (
+            ("cubic_stiffness", {"k3": 2e6}),
+            ("position_ripple", {"f_sin": 0.5, "f_cos": 0.1, "period": 0.02}),
+        )
+    ]
+    joint = JointFit(study, base.parameters, parts)
+    model = joint.fitted()
+    found = in_place(study, model, model.effects, base)
+    assert found is not None
+    assert found.law is not None, found.refused
+    assert found.model is not None
+    assert found.law.variables == ("position",)
+    assert found.model.misfit < model.misfit
+    assert found.before is base
+
+
+def test_the_level_of_a_law_that_zeros_of_sensors_make_up_for_is_told_unknown() -> None:
+    known, unknown = (ia.missing_force(campaign(Bulge(), offset)).law("position") for offset in (0.0, 1e-3))
+    assert known.level_known
+    assert not unknown.level_known
+    assert np.median(unknown.standard_error) < 0.2 * np.ptp(unknown.values)
+    assert any("but for a constant" in trait for trait in unknown.traits)
+    assert not any("but for a constant" in trait for trait in known.traits)
+
+
+def test_a_map_holds_its_ends() -> None:
+    points = np.array([-1.0, 0.0, 2.0])
+    grid = Grid((Axis("position", points), Axis("speed", points)))
+    values = np.arange(9.0)
+    rows = np.array(rows_of(grid, values))
+    table = rows[:, 2].reshape(5, 5)
+    assert rows[:, 0].min() == -4.0
+    assert rows[:, 0].max() == 5.0
+    assert (table[1:-1, 1:-1].ravel() == values).all()
+    assert (table[0] == table[1]).all()
+    assert (table[:, -1] == table[:, -2]).all()
+
+
+def test_more_points_change_nothing_of_a_law(slipping: Campaign) -> None:
+    law = ia.missing_force(slipping).law("speed")
+    finer = law.finer()
+    assert len(finer.values) == len(finer.standard_error) == 2 * len(law.values) - 1
+    for motion in law.motions:
+        assert finer.along(motion) == pytest.approx(law.along(motion), abs=1e-9 * np.ptp(law.values))
+    assert finer.traits
+    most = replace(law.grid.axes[0], points=np.linspace(-1.0, 1.0, 150))
+    crowded = replace(law, fit=replace(law.fit, grid=Grid((most,)), values=np.zeros(150)))
+    assert crowded.finer() is crowded
