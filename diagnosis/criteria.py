@@ -202,6 +202,7 @@ FORCE_EVERY = 4  # [1] measurement by which that is told, of so many; effort
 FORCE_RUNS, FORCE_MOST_RUNS = 6, 15  # [1] with the force so far, along which it is sought anew; effort
 FORCE_WON_SHARE = 0.7  # [what a run missed] that more of them must come below each; effort
 FORCE_HALVINGS = 4  # [1] of a force that a run cannot take; effort
+FORCE_SHARES = 0.5, 0.25  # [1] of its change that are tried where a run with all of it is farther off; effort
 FORCE_SETTLED = 1.02  # [what smoothing promises] that a run with the force may miss; data
 LAW_POINTS = 48, 41, 24, 24, 24  # [1] of a curve over position, speed, acceleration, load, time; effort
 LAW_POINTS_OF_PAIRS = 12, 15, 9, 9, 9  # [1] of a map over two of them; effort

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from math import inf
 
@@ -16,7 +17,9 @@ from ..criteria import (
     FORCE_PARAMETER_STEP,
     FORCE_RUNS,
     FORCE_SETTLED,
+    FORCE_SHARES,
     FORCE_SIZE_RATIO,
+    FORCE_SUFFICES,
     FORCE_WON_SHARE,
     PART_CHI_SQUARED,
 )
@@ -63,6 +66,12 @@ class Settled:
         courses = [run.course([self.number]).held(moved) for run in self.runs]
         force, _ = smoothed(filtered(courses, self.rough))
         return [force[: len(course.t), place, 0] for place, course in enumerate(courses)]
+
+
+def _between(run: Beside, force: Force, share: float) -> Force:
+    """Return a force with a share of the way to it from that of a run."""
+    before = np.zeros_like(force.t) if run.force is None else run.force.at(force.t)
+    return Force(force.t, share * force.values + (1 - share) * before)
 
 
 def _misfit(runs: Sequence[Beside]) -> float:
@@ -193,6 +202,10 @@ class Search:
         )
         own = passed.unknown[:, 0, passed.courses[0].shared :]
         after = self._after(number, here, forces, given, own)
+        forces, errors = (
+            [Force(run.t, one.at(run.t)) for run, one in zip(after, some, strict=True)]
+            for some in (forces, errors)
+        )
         return Settled(number, given, rough, tuple(after), tuple(forces), tuple(errors))
 
     def _after(
@@ -207,19 +220,32 @@ class Search:
         error = None
         for _ in range(FORCE_HALVINGS):
             try:
-                return [
+                found = [
                     self.bench.run(run.experiment, given, run.began(begun, 0), number, force)
                     for run, begun, force in zip(runs, own, forces, strict=True)
                 ]
             except SimulationError as told:
                 error = told
-                before = [
-                    np.zeros_like(f.t) if run.force is None else run.force.at(f.t)
-                    for run, f in zip(runs, forces, strict=True)
-                ]
-                forces = [Force(f.t, 0.5 * (f.values + b)) for f, b in zip(forces, before, strict=True)]
+                forces = [_between(run, force, 0.5) for run, force in zip(runs, forces, strict=True)]
+            else:
+                return [*map(self._held_back, runs, found, own, forces)]
         assert error is not None
         raise error
+
+    def _held_back(self, run: Beside, found: Beside, own: Array, force: Force) -> Beside:
+        """Return the next run of a record, with less of the change of its force where that leads away.
+
+        Parts of a machine that stick or hit do not answer in a line.
+        """
+        best = found
+        for share in FORCE_SHARES:
+            if best.squares <= max(run.squares, FORCE_SUFFICES**2 * best.left.size):
+                break
+            begin, less = run.began(share * own, 0), _between(run, force, share)
+            with suppress(SimulationError):
+                tried = self.bench.run(run.experiment, found.given, begin, found.number, less)
+                best = min(best, tried, key=lambda one: one.squares)
+        return best
 
     def _given(self, before: Mapping[str, float], unknown: Array) -> dict[str, float]:
         """Return parameters on their way to what a smoother found of them, no farther than slopes hold."""

@@ -13,6 +13,7 @@ from .law import STATIC, Drawing, Law
 from .regression import Fitted, Tallies
 from .search import Settled
 
+LEAST_ERROR = 1e-3  # of the size of a force
 SINGLE = tuple(variables for variables in STATIC if len(variables) == 1)
 
 
@@ -26,14 +27,15 @@ class Showing(Drawing):
 
     def __init__(self, site: Site, settled: Settled) -> None:
         super().__init__(site, settled)
-        errors = [np.maximum(error.values, 0.0) for error in settled.errors]
-        usual = max(float(np.median(np.concatenate(errors))), 1e-3 * settled.rms)
+        bench = self.runs[0].bench
+        given = np.array([settled.given[name] for name in bench.names])
+        self.moved = (given - bench.centers) / bench.scales
+        self.forces = settled.beside(self.moved)
+        errors = [error.values for error in settled.errors]
+        usual = max(float(np.median(np.concatenate(errors))), LEAST_ERROR * settled.rms)
         self.sizes = [np.hypot(error, usual) for error in errors]
-        forces, weights = (
-            np.concatenate(parts)
-            for parts in ([f.values for f in settled.forces], [1 / s**2 for s in self.sizes])
-        )
-        self.mean = float(np.average(forces, weights=weights))
+        weights = np.concatenate([1 / size**2 for size in self.sizes])
+        self.mean = float(np.average(np.concatenate(self.forces), weights=weights))
         self.left = 0.0
 
     def plainest(self) -> Law:
@@ -43,12 +45,10 @@ class Showing(Drawing):
 
     def tallies(self, grid: Grid | None) -> Tallies:
         """Return what there is to fit a law by; its mean is told by no law."""
-        forces = [force.values - self.mean for force in self.settled.forces]
+        forces = [force - self.mean for force in self.forces]
         return Tallies.of_forces(self.motions, forces, self.sizes, grid)
 
     def _law(self, fit: Fitted, shares: Mapping[tuple[str, ...], float]) -> Law:
         """Return the law of a fit, beside the parameters as they are with the force."""
-        bench = self.runs[0].bench
-        given = np.array([self.settled.given[name] for name in bench.names])
-        fit = replace(fit, values=fit.values + self.mean, moved=(given - bench.centers) / bench.scales)
+        fit = replace(fit, values=fit.values + self.mean, moved=self.moved)
         return replace(super()._law(fit, shares), shown=True)

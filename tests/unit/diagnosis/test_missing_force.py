@@ -155,3 +155,40 @@ def test_where_force_and_motion_are_measured_it_is_inverse_dynamics() -> None:
     one = missing.records[0]
     assert np.abs(np.interp(t, one.time, one.force) - extra)[20:-20].max() < 0.3
     assert missing.law().variables == ("speed",)
+
+
+def test_the_force_on_a_machine_that_sticks_is_told_at_the_points_of_its_motion(tmp_path: Any) -> None:
+    """A run with a force sticks at instants of its own."""
+
+    def rubbing(k: float, how: str = "") -> ia.Network:
+        net = machine(k, how)
+        net.add(rail=ia.CoulombFriction(f_c=2.5))
+        return net.connect(net.wall.flange, net.rail.flange_a).connect(net.rail.flange_b, net.cart.flange)
+
+    true, rng, records = rubbing(430.0, "bulge"), np.random.default_rng(8), []
+    for number in range(2):
+        force = sampled(
+            Multisine(rms=9.0, low=0.4, high=4.0, period=2.0, seed=number), stop=4.0, rate=200.0, fade=0.3
+        )
+        run = true.simulate(4.0, step=5e-3, inputs={"push.f": force})
+        x = np.interp(force.time, run.time, run["cart.s"]) + rng.normal(0, 1e-4, len(force.time))
+        records.append({"record": Record(f"run {number}", force.time + 3.0, {"F": force.values, "x": x})})
+    missing = ia.missing_force(
+        Campaign(
+            rubbing(400.0),
+            channels={
+                "F": {"input": "push.f", "unit": "N"},
+                "x": {"output": "cart.s", "unit": "m"},
+            },
+            parameters={"spring.k": {"rel": 0.1}},
+            train=records,
+            noise={"x": 1e-4},
+        ),
+        site="spring",
+    )
+    assert missing.misfit < 1.2 < 10 < missing.before
+    for one in missing.records:
+        assert len(one.motion.t) == len(one.time) == len(one.force) == len(one.standard_error)
+        assert len(one.time) > 801
+    missing.plot(tmp_path / "force.png")
+    assert missing.shown().variables == ("position",)
