@@ -18,6 +18,7 @@ from ..criteria import (
     LAW_FORESEEN_SHARE,
     LAW_RESOLVED,
     LAW_SITES,
+    LOST_LEAST,
 )
 from ..models.study import Study
 from ..search.model_comparison import Refit, is_clear
@@ -96,7 +97,7 @@ def sought(study: Study, model: Refit) -> Sought | None:
     """Return what comes of looking for a static law beside a model; None where no force can be found.
 
     Sites other than the likeliest are tried if no law there foresees enough. Where free runs with a law that
-    records foresee miss more than noise, the one that the force shows is tried, too.
+    records foresee fail or miss a little more than noise, the one that the force shows is tried, too.
     """
     try:
         missing = force_of(study, model)
@@ -108,7 +109,8 @@ def sought(study: Study, model: Refit) -> Sought | None:
     if not law.is_foreseen:
         return Sought(model, missing, foreseen, None, "foresees too little of it")
     found = judged(study, model, missing, law, foreseen)
-    if law.shown or (found.found is not None and found.found.left <= LAW_RESOLVED):
+    settled = found.found is not None and not LAW_RESOLVED < found.found.left < LOST_LEAST
+    if law.shown or settled:
         return found
     shown = missing.shown()
     other = judged(study, model, missing, shown, foreseen) if shown.is_foreseen else found
@@ -129,9 +131,9 @@ def judged(
 
 
 def _polished(study: Study, law: Law) -> Polished:
-    """Return a law fitted to free runs, with more points while that pays."""
+    """Return a law fitted to free runs, with more points while that pays, unless these are lost."""
     found = polished(study, law)
-    while found.left > LAW_RESOLVED and not study.late():
+    while LAW_RESOLVED < found.left < LOST_LEAST and not study.late():
         finer = found.law.finer()
         if finer is found.law:
             break
