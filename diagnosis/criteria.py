@@ -225,6 +225,7 @@ LAW_MEMORY_SHARE = 0.1  # [1] of what is missing that no law of position and spe
 LAW_POINTS_DRAWN = 4000  # [1] of a record; telling
 FORCE_SUFFICES = 1.2  # [noise] that a run with the force may miss, to be sought from one place only; effort
 FORCE_PARAMETER_STEP = 1.0  # [scale of the prior] by which a parameter may move from run to run; data
+ALIGNED_ROUNDS, ALIGNED_LEVELS = 6, 33  # [1] of records that are aligned, constants tried in each; effort
 FORCE_LAW_STIFFNESS = 1e-4  # [1] of a law drawn through the force before it is fitted to runs; effort
 LAW_SITES = 3  # [1] at which laws are tried, the likeliest for a force first; effort
 LAW_FORESEEN_SHARE = 0.8  # [1] of what is missing that a law must foresee to be tried in free runs; blind

@@ -82,10 +82,7 @@ def diagnose(
     study = study_of(campaign, accuracy, executor, report, inf if budget is None else monotonic() + budget)
     study.tell("refitting the parameters")
     study = replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))
-    start, base = _refitted(study, campaign.start)
-    heard = _heard(study, base)
-    if heard is not study:
-        study, (start, base) = heard, _refitted(heard, base.parameters, base)
+    study, start, base = refitted_as_heard(study)
     rounds: list[Round] = []
     before: list[Round] = []
     notes = study.limits()
@@ -152,6 +149,15 @@ def _chosen_along(study: Study, done: Round, base: Refit) -> Refit | None:
         return None
     go_on(study, done, candidates, near)
     return taken(done, base)
+
+
+def refitted_as_heard(study: Study) -> tuple[Study, Refit, Refit]:
+    """Return the model as it was given and fitted, and the study with the noise that shows beside it."""
+    start, base = _refitted(study, study.campaign.start)
+    heard = _heard(study, base)
+    if heard is not study:
+        start, base = _refitted(heard, base.parameters, base)
+    return heard, start, base
 
 
 def _refitted(

@@ -9,11 +9,10 @@ from ..base import above, computing, demand, optional, text
 from ..components import ModelError
 from ..identification import Accuracy, Campaign
 from .criteria import COMPARISON_RATE_HZ, RUNS_PER_MODEL
-from .diagnose import granted, relative_tolerance
+from .diagnose import granted, refitted_as_heard, relative_tolerance
 from .law.missing_force import MissingForce, force_of
 from .models.fmu_network import read_model
 from .models.study import FMUStudy, Study, study_of, thinned
-from .search.joint_fit import JointFit
 
 
 @computing("the missing force")
@@ -37,8 +36,8 @@ def missing_force(
     Source: A. E. Bryson, M. Frazier, Smoothing for linear and nonlinear dynamic systems, 1963.
     """
     demand("missing_force()", site=(site, optional(text)), rate=(rate, above(0, "Hz")))
-    study = _study_for(campaign, rate)
-    return force_of(study, JointFit(study, study.campaign.start).fitted(), site)
+    study, _, fitted = refitted_as_heard(_study_for(campaign, rate))
+    return force_of(study, fitted, site)
 
 
 def _study_for(campaign: Campaign | str | Path, rate: float) -> Study:

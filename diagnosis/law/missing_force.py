@@ -17,6 +17,7 @@ from ..effects.effect import Motion
 from ..effects.sites import Site
 from ..models.study import Study
 from ..search.model_comparison import Refit
+from .aligned import aligned
 from .axes import VARIABLES
 from .law import STATIC, Drawing, Law
 from .polish import polished
@@ -185,6 +186,7 @@ def force_of(study: Study, refit: Refit, site: str | None = None) -> MissingForc
             again = other.best(number)
             if again[1].misfit < settled.misfit:
                 search, ranked, settled = other, *again
+    settled = aligned(settled)
     most = max(evidence for _, evidence, _ in ranked)
     records = tuple(
         ForceOverTime(run.experiment.name, force.t, force.values, error.values, run.motion(settled.number))

@@ -42,6 +42,7 @@ class Settled:
         rough: how fast the force changes.
         runs: one of each record.
         forces, errors: with standard errors, at the points of each run.
+        levels_known: by record, whether its runs tell a constant in the force; all do if empty.
     """
 
     number: int
@@ -50,6 +51,7 @@ class Settled:
     runs: tuple[Beside, ...]
     forces: tuple[Force, ...]
     errors: tuple[Force, ...]
+    levels_known: tuple[bool, ...] = ()
 
     @property
     def misfit(self) -> float:
@@ -65,7 +67,10 @@ class Settled:
         """Return the force along the runs if the parameters are so far from the centers of their priors."""
         courses = [run.course([self.number]).held(moved) for run in self.runs]
         force, _ = smoothed(filtered(courses, self.rough))
-        return [force[: len(course.t), place, 0] for place, course in enumerate(courses)]
+        found = [force[: len(course.t), place, 0] for place, course in enumerate(courses)]
+        told = self.levels_known or (True,) * len(found)
+        parts = zip(found, self.forces, told, strict=True)
+        return [one if known else one + np.mean(f.values - one) for one, f, known in parts]
 
 
 def _between(run: Beside, force: Force, share: float) -> Force:

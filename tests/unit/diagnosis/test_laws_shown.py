@@ -10,13 +10,14 @@ import pytest
 from inertance import rotational
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.law.aligned import aligned, loose
 from inertance.diagnosis.law.axes import Axis, Grid
 from inertance.diagnosis.law.in_place import in_place
-from inertance.diagnosis.law.law import rows_of
+from inertance.diagnosis.law.law import Drawing, rows_of
 from inertance.diagnosis.law.sought import sought
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
-from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
+from inertance.identification import Accuracy, Campaign, Filter, Multisine, Record, sampled
 
 NOISE, RATE, SECONDS, BEGINS = 1e-4, 200.0, 6.0, 12.0
 SPEEDS, WIDTH = (-0.2, 0.25), 0.01  # [rad/s]
@@ -42,6 +43,13 @@ def rotor(*parts: ia.Component, c: float = 40.0, d: float = 0.12) -> ia.Network:
     return net
 
 
+class Waves(ia.CompliantWithSpeed):
+    """f = 3 N sin(2 pi s/30 mm)."""
+
+    def equations(self) -> Any:
+        yield self.f == 3 * ca.sin(2 * np.pi * self.s_rel / 0.03)
+
+
 class Bulge(ia.CompliantWithSpeed):
     """f = 8 N tanh(s/4 mm)^5."""
 
@@ -61,13 +69,13 @@ def cart(*parts: ia.Component, k: float = 400.0) -> ia.Network:
     return net
 
 
-def campaign(part: ia.Component, offset: float = 0.0) -> Campaign:
+def campaign(part: ia.Component, offset: float = 0.0, rate: float = RATE) -> Campaign:
     """Return records that begin in motion, late by the clock, some with a zero of their own."""
     true, rng, records = cart(part, k=430.0), np.random.default_rng(2), []
     for number in range(3):
         shape = Multisine(rms=9.0 - number, low=0.4, high=4.0, period=3.0, seed=number)
-        force = sampled(shape, stop=SECONDS + 1, rate=RATE, fade=0.3)
-        run = true.simulate(SECONDS + 1, step=1 / RATE, inputs={"push.f": force})
+        force = sampled(shape, stop=SECONDS + 1, rate=rate, fade=0.3)
+        run = true.simulate(SECONDS + 1, step=1 / rate, inputs={"push.f": force})
         t = np.asarray(force.time)
         x = np.interp(t, run.time, run["mass.s"]) + NOISE * rng.standard_normal(len(t)) + number * offset
         kept = t >= 1.0
@@ -171,6 +179,55 @@ def test_the_level_of_a_law_that_zeros_of_sensors_make_up_for_is_told_unknown() 
     assert np.median(unknown.standard_error) < 0.2 * np.ptp(unknown.values)
     assert any("but for a constant" in trait for trait in unknown.traits)
     assert not any("but for a constant" in trait for trait in known.traits)
+
+
+def test_records_whose_level_nobody_knows_are_aligned() -> None:
+    """A zero of a sensor, a constant force and where the cart is are one, in each record another."""
+    missing = ia.missing_force(campaign(Waves(), 4e-3), "spring")
+    settled = missing.settled
+    assert settled.misfit < 1.2
+    assert settled.levels_known == (False, False)
+    one = loose(settled, 1)
+    assert one is not None
+    assert one.shift == pytest.approx(-1 / missing.parameters["spring.k"], rel=0.05)
+    run, force = one.moved(4.0)
+    assert run.left.std() < 1.2  # the record says nothing of it
+    runs, forces = (settled.runs[0], run), (settled.forces[0], force)
+    off = replace(settled, runs=runs, forces=forces)
+    drawn, apart, again = (
+        Drawing(missing.site, some).law(("position",)) for some in (settled, off, aligned(off))
+    )
+    assert drawn.explained > 0.99 > 0.9 > apart.explained
+    assert again.explained == pytest.approx(drawn.explained, abs=0.01)
+    levels = [[f.values.mean() for f in some.forces] for some in (settled, aligned(off))]
+    assert np.diff(levels[1]) == pytest.approx(np.diff(levels[0]), abs=0.6)
+    assert len(again.forces[1]) == len(again.runs[1].t)
+    beside = aligned(off).beside(again.fit.moved)
+    assert [f.mean() for f in beside] == pytest.approx(levels[1], abs=1e-6)
+
+
+def test_records_that_tell_the_level_stay_as_they_are() -> None:
+    settled = ia.missing_force(campaign(Waves()), "spring").settled
+    assert settled.levels_known == ()
+    assert loose(settled, 0) is None
+    assert aligned(settled) is settled
+
+
+def test_the_missing_force_hears_the_noise_that_a_filter_lets_through() -> None:
+    """Read off the empty top of a low-passed spectrum it would be a hundredth, and all of it a force."""
+    known, low, rng = campaign(Bulge(), rate=1000.0), Filter(cutoff=150.0), np.random.default_rng(1)
+
+    def passed(record: Record) -> dict[str, Record]:
+        x = record.values["x"] + low.apply(4e-4 * rng.standard_normal(len(record.time)), 1000.0)
+        step = np.ptp(x) / 2**16
+        return {"record": replace(record, values={**record.values, "x": step * np.round(x / step)})}
+
+    records = [passed(experiment.record) for experiment in known.experiments]
+    seen = Campaign(cart(), known.channels, known.parameters, train=records[:2], test=records[2:])
+    heard = ia.missing_force(seen, "spring")
+    assert heard.search.study.campaign.floors["x"].sigma == pytest.approx(4e-4 * 0.3**0.5, rel=0.2)
+    assert heard.misfit < 1.2
+    assert heard.law("position").explained > 0.95
 
 
 def test_a_map_holds_its_ends() -> None:
