@@ -17,8 +17,8 @@ MOVED_STANDARD_DEVIATIONS = 3.0  # [sd of the prior] of a parameter that has mov
 CERTAIN_RESIDUAL_SHARE = 0.5  # [1] of what was left squared that each effect takes away to be named; blind
 CERTAIN_GAP_SHARE = 0.89  # [1] of the squared gap above noise that those named take away together; blind
 UNSTEADY_SHARE = 0.1  # [1] of the square of what is left, that an effect takes by changing with time; blind
-ALIKE_RIGHT_SHARE = 0.85  # [1] of effects that are there, of those named beside others that are alike; blind
-CLEAR_RIGHT_SHARE = 0.97  # [1] the same of those that are clearly better than all others; blind
+ALIKE_RIGHT_SHARE = 0.76  # [1] of effects that are there, of those named beside others that are alike; blind
+CLEAR_RIGHT_SHARE = 0.95  # [1] the same of those that are clearly better than all others; blind
 EXPLAINED_GAP_SHARE = 0.95  # [1] of the gap below which what was found is not all that is missing; blind
 
 # When one model is better than another
