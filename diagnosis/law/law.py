@@ -226,7 +226,7 @@ def rows_of(grid: Grid, values: Array) -> list[tuple[float, ...]]:
         wider = Grid(tuple(replace(axis, points=_wider(axis.points)) for axis in grid.axes))
         sizes = [len(axis.points) for axis in grid.axes]
         return _written(wider.places, np.pad(values.reshape(sizes), 1, mode="edge").ravel())
-    (axis,) = grid.axes
+    axis = grid.axes[0]
     if not axis.smooth:
         return _written(grid.places, values)
     fine = np.linspace(axis.points[0], axis.points[-1], LAW_FINER * (len(axis.points) - 1) + 1)

@@ -123,7 +123,7 @@ def test_noise_is_seen_beyond_a_motion_that_a_model_misses_wholly() -> None:
     rng, time = np.random.default_rng(4), np.arange(40000) / RATE
     rattle = rng.standard_normal(len(time))
     for _ in range(3):
-        rattle = lfilter([0.02], [1.0, -0.98], rattle)
+        rattle = np.asarray(lfilter([0.02], [1.0, -0.98], rattle))
     signal = np.sin(11 * time)
     noise = Filter(cutoff=100.0, order=2).apply(0.02 * rng.standard_normal(len(time)), RATE)
     measured = grid(signal + 0.6 * rattle / rattle.std() + noise, 16)
