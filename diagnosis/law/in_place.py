@@ -12,7 +12,8 @@ from ..criteria import FORCE_LAW_STIFFNESS, LAW_FORESEEN_SHARE
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from ..search.model_comparison import Refit
-from .law import STATIC, Drawing, Law
+from .drawing import Drawing
+from .law import STATIC, Law
 from .missing_force import MissingForce, force_of
 from .polish import first_trial
 from .regression import through

@@ -19,7 +19,8 @@ from ..models.study import Study
 from ..search.model_comparison import Refit
 from .aligned import aligned
 from .axes import VARIABLES
-from .law import STATIC, Drawing, Law
+from .drawing import Drawing
+from .law import STATIC, Law
 from .polish import polished
 from .search import Search, Settled
 from .shown import Showing

@@ -9,7 +9,8 @@ import numpy as np
 
 from ..effects.sites import Site
 from .axes import Grid
-from .law import STATIC, Drawing, Law
+from .drawing import Drawing
+from .law import STATIC, Law
 from .regression import Fitted, Tallies
 from .search import Settled
 

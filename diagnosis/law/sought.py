@@ -22,7 +22,8 @@ from ..criteria import (
 )
 from ..models.study import Study
 from ..search.model_comparison import Refit, is_clear
-from .law import STATIC, Drawing, Law
+from .drawing import Drawing
+from .law import STATIC, Law
 from .missing_force import MissingForce, force_of
 from .polish import Polished, polished
 

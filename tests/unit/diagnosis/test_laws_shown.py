@@ -12,8 +12,9 @@ from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.law.aligned import aligned, loose
 from inertance.diagnosis.law.axes import Axis, Grid
+from inertance.diagnosis.law.drawing import Drawing
 from inertance.diagnosis.law.in_place import in_place
-from inertance.diagnosis.law.law import Drawing, rows_of
+from inertance.diagnosis.law.law import rows_of
 from inertance.diagnosis.law.sought import sought
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
