@@ -20,7 +20,7 @@ APART = 10.0  # chi squared below which two answers are one
 SCALED = 12  # times at most, as a shift is not quite linear
 CLOSE = 1e-4  # change of a size that is none
 REFITS = 4  # steps of parameters, whose answer bends
-HELD = 0.8  # of a gap by slopes, that those must leave
+HELD = 0.3  # of a gap by slopes, that those must leave
 LARGEST = {"sensor_gain": 0.4, "sensor_delay": 0.04, "actuator_delay": 0.04, "actuator_lag": 0.1}  # 1, s
 LINEAR = ("constant_force", "added_inertia", "sensor_delay", "sensor_bias", "sensor_gain", "actuator_delay")
 
