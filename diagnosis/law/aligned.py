@@ -25,18 +25,20 @@ class Loose:
     Attributes:
         run: of it.
         force: that it has.
+        place: where the site is.
         start: what changes at its start for each unit of the force.
         shift: by how much the site then is elsewhere throughout.
     """
 
     run: Beside
     force: Force
+    place: Array
     start: Array
     shift: float
 
     def at(self, level: float) -> tuple[Array, Array]:
         """Return where the site is, and the force, with a constant more in this."""
-        return self.run.motion(self.run.number).s + level * self.shift, self.force.values + level
+        return self.place + level * self.shift, self.force.values + level
 
     def moved(self, level: float) -> tuple[Beside, Force]:
         """Return the run with a constant more in its force, and that force."""
@@ -97,7 +99,7 @@ def loose(settled: Settled, place: int) -> Loose | None:
         return None
     there, here = elsewhere.motion(run.number), run.motion(run.number)
     apart = np.interp(here.t, there.t, there.s) - here.s
-    return Loose(run, force, start, float(np.median(apart)) / size)
+    return Loose(run, force, here.s, start, float(np.median(apart)) / size)
 
 
 def _levels(settled: Settled, found: Sequence[Loose | None]) -> list[float]:

@@ -40,6 +40,10 @@ class Bench:
         self.scales = np.array([study.campaign.priors[name].scale for name in self.names])
         self.centers = np.array([study.campaign.priors[name].center for name in self.names])
 
+    def away(self, given: Mapping[str, float]) -> Array:
+        """Return how far parameters are from the centers of their priors, over the scales of these."""
+        return np.asarray((np.array([given[name] for name in self.names]) - self.centers) / self.scales)
+
     def begin(self, experiment: Experiment, given: Mapping[str, float], known: Mapping[str, float]) -> Begin:
         """Return where a record seems to begin; states by name that are `known` to begin elsewhere, do."""
         own = {name: prior.center for name, prior in experiment.unknown.items()}
@@ -170,8 +174,7 @@ class Beside:
         if not fixed:
             shared = np.stack([found.slopes[n][:, : len(bench.names)] for n in names], axis=1)
             shared = shared * self._weights * bench.scales
-            given = np.array([self.given[name] for name in bench.names])
-            missed = missed + shared @ ((given - bench.centers) / bench.scales)
+            missed = missed + shared @ bench.away(self.given)
         free = nuisance_slopes(experiment, found, experiment.weights)
         own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1) * self._counts[:, :, None]
         weights = np.zeros(own.shape[2])

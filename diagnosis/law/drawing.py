@@ -41,12 +41,17 @@ class Drawing:
     @cached_property
     def nothing(self) -> Fitted:
         """What is left without a law."""
-        return fitted(self.tallies(None), None)
+        return fitted(self._bare, None)
 
-    @cached_property
+    @property
     def counts(self) -> Array:
         """By fold, how many samples count."""
-        return self.tallies(None).independent
+        return self._bare.independent
+
+    @cached_property
+    def _bare(self) -> Tallies:
+        """What there is to see what is missing by."""
+        return self.tallies(None)
 
     def grid(self, variables: Sequence[str], finer: int = 1, even: bool = False) -> Grid:
         """Return the points of a law over variables."""

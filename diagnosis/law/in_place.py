@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from ...components import InertanceError
-from ..criteria import FORCE_LAW_STIFFNESS, LAW_FORESEEN_SHARE
+from ..criteria import FORCE_LAW_STIFFNESS
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from ..search.model_comparison import Refit
@@ -42,17 +40,16 @@ def _begun(study: Study, model: Refit, parts: Sequence[Hypothesis], missing: Mis
     drawing = Drawing(missing.site, missing.settled)
     drawn = drawing.law(among=STATIC)
     yield drawn
-    if drawn.explained >= LAW_FORESEEN_SHARE:
+    if drawn.is_foreseen:
         return
     yield missing.shown()
     forces, motions = forces_of(study, model, parts, missing.settled.number)
     if forces:
         variable = plainest(("position", "speed"), motions, forces)
         there = [replace(motion, s=motion.s - drawing.origin) for motion in motions]
-        law, bench = drawing.law((variable,)), missing.search.bench
-        given = np.array([model.parameters[name] for name in bench.names])
+        law, away = drawing.law((variable,)), missing.search.bench.away(model.parameters)
         values = through(law.grid, there, forces, FORCE_LAW_STIFFNESS)
-        fit = replace(law.fit, values=values, moved=(given - bench.centers) / bench.scales)
+        fit = replace(law.fit, values=values, moved=away)
         yield replace(law, values=values, fit=fit, shown=True)
 
 

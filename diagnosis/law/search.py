@@ -198,7 +198,7 @@ class Search:
         courses, rough = passed.courses, passed.roughness
         wanted = passed.unknown[0, 0, : courses[0].shared]
         given = self._given(here[0].given, wanted)
-        moved = (np.array([*given.values()]) - self.bench.centers) / self.bench.scales
+        moved = self.bench.away(given)
         if not np.allclose(moved, wanted):
             passed = filtered([course.held(moved) for course in courses], rough)
         forces, errors = (

@@ -28,9 +28,7 @@ class Showing(Drawing):
 
     def __init__(self, site: Site, settled: Settled) -> None:
         super().__init__(site, settled)
-        bench = self.runs[0].bench
-        given = np.array([settled.given[name] for name in bench.names])
-        self.moved = (given - bench.centers) / bench.scales
+        self.moved = self.runs[0].bench.away(settled.given)
         self.forces = settled.beside(self.moved)
         errors = [error.values for error in settled.errors]
         usual = max(float(np.median(np.concatenate(errors))), LEAST_ERROR * settled.rms)

@@ -7,8 +7,6 @@ from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Any
 
-import numpy as np
-
 from ...base import computing
 from ...components import InertanceError
 from ..criteria import (
@@ -147,9 +145,7 @@ def _polished(study: Study, law: Law) -> Polished:
 
 def _drawn(missing: MissingForce, found: Polished) -> Polished:
     """Return a law with the missing force as that is beside the parameters that it was polished with."""
-    bench = missing.search.bench
-    given = np.array([found.model.parameters[name] for name in bench.names])
-    forces = missing.settled.beside((given - bench.centers) / bench.scales)
+    forces = missing.settled.beside(missing.search.bench.away(found.model.parameters))
     return replace(found, law=replace(found.law, forces=tuple(forces)))
 
 

@@ -54,8 +54,7 @@ def without_last(study: Study, model: Refit) -> Without | None:
     at = numbers.index(number)
     (_, _, rough), *_ = search.rank(search.nominal, [number], sizes[at : at + 1])
     settled = search.settled(number, rough)
-    fitted = np.array([model.parameters[name] for name in search.bench.names])
-    forces = settled.beside((fitted - search.bench.centers) / search.bench.scales)
+    forces = settled.beside(search.bench.away(model.parameters))
     variable = plainest(DRAWN, motions, own)
     return Without(
         placed,
