@@ -52,6 +52,7 @@ from .components import Inerter as Inerter
 from .components import InitialConditionError as InitialConditionError
 from .components import IntegerOutput as IntegerOutput
 from .components import InverseSpeedDependentForce as InverseSpeedDependentForce
+from .components import Iwan as Iwan
 from .components import Jenkins as Jenkins
 from .components import LargeAngleLever as LargeAngleLever
 from .components import LeadScrew as LeadScrew

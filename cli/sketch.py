@@ -12,6 +12,7 @@ SYMBOLS = {  # by the class that has it; what derives from that has it, too, unl
     "Spring": "/\\/\\/\\", "CubicSpring": "/\\/\\/\\ ^3", "BilinearSpring": "/\\/\\/",
     "BumpStop": "/\\|  |/\\",
     "Dissipative": "--[|--", "SpringDamper": "/\\/\\ || [|", "Inerter": "-(o)-", "BoucWen": "/\\/\\ || ~",
+    "Iwan": "/\\/\\=~= ||",
     "Friction": "=~~~=", "DahlFriction": "=~~~=", "Jenkins": "/\\/\\=~=", "Brake": "=]~[=", "Clutch": "=]|[=",
     "OneWayClutch": "=]>[=", "HardStop": "--| |--", "ElastoGap": "/\\| |/\\", "Backlash": "--[ ]/\\",
     "ElastoBacklash": "--[ ]/\\", "ElasticFlanks": "--[ ]/\\", "IdealGear": "O:o", "LossyGear": "O:o",

@@ -59,6 +59,8 @@ VALUES: dict[str, dict[str, Any]] = {
     },
     "BoucWen": {"beta": 0.5, "gamma": 0.3},
     "rotational.BoucWen": {"beta": 0.5, "gamma": 0.3},
+    "Iwan": {"p": 1.5, "cells": 3},
+    "rotational.Iwan": {"p": 1.5, "cells": 3},
     "EddyCurrentBrake": {"f_nominal": 2.0, "alpha20": 0.004, "T": 350.0},
     "rotational.EddyCurrentBrake": {"tau_nominal": 2.0, "alpha20": 0.004, "T": 350.0},
     "rotational.Gearbox": {"ratio": 2.0, "lossTable": LOSSES, "b": 0.1},

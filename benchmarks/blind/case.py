@@ -129,10 +129,13 @@ def _campaign(rig: Rig, names: list[str], stated: dict[str, float]) -> str:
 def kinds(effect: Effect, rig: Rig) -> list[str]:
     """Return by which kinds an effect is named rightly: those that are the same force.
 
-    Bristles creep before they slip. Where friction is fitted, what parts one way from the other is constant.
+    Bristles creep before they slip. Hysteresis is of cells here, as Iwan's is. Where friction is fitted, what
+    parts one way from the other is constant.
     """
     if effect.kind == "coulomb_friction" and effect.shape["bristles"]:
         return [effect.kind, "presliding_friction"]
+    if effect.kind == "hysteresis":
+        return [effect.kind, "iwan_hysteresis"]
     fitted = any(f"{site}.tau_s" in rig.parameters for site in effect.sites)
     if effect.kind == "asymmetric_friction" and fitted:
         return [effect.kind, "constant_force"]

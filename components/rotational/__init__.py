@@ -67,6 +67,7 @@ from .sensors import SpeedSensor as SpeedSensor
 from .sensors import TorqueSensor as TorqueSensor
 from .shafts import LumpedShaft as LumpedShaft
 from .shafts import ModalShaft as ModalShaft
+from .slipping_joints import Iwan as Iwan
 from .sources import Accelerate as Accelerate
 from .sources import ConstantTorque as ConstantTorque
 from .sources import Position as Position

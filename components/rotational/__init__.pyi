@@ -12,6 +12,7 @@ from ..elastoplastic import ElastoPlastic
 from ..filtered import Filtered
 from ..flanks import SlidingFlanks
 from ..hysteresis import HystereticSpring
+from ..iwan import IwanCells
 from ..language import Component, Number, ParameterValue, SignalValue
 from ..lossy import AtTemperature, Lossy
 from ..pressed import Pressed, PressedStickSlip
@@ -2408,6 +2409,54 @@ class ElastoBacklash2(ElasticFlanks):
         phi_rel: Number = ...,
         tau: Number = ...,
         w_rel: Number = ...,
+    ) -> None: ...
+
+class Iwan(CompliantWithSpeed, IwanCells):
+    """A joint that slips bit by bit: tau = c mean(z_i), cells that yield one after the other, up to phi_y.
+
+    Cell i of n yields at y_i = phi_y ((i - 1/2)/n)^p, rounded by Bouc and Wen's law: z_i' = w_rel if w_rel
+    z_i <= 0, else w_rel (1 - |z_i/y_i|^8). Twisted on, it slides at c phi_y/(1 + p).
+
+    Source: as the translational `Iwan`, written for turning.
+
+    Example:
+        >>> from inertance import rotational
+        >>> hub = rotational.Iwan(c=1e5, phi_y=1e-4, p=2.0)
+
+    Args:
+        p: how the yields spread: 0 all at once, 1 evenly, above 1 more of them early, at least 0.
+        c: stiffness before it slips [N.m/rad], at least 0.
+        phi_y: twist at which the last cell yields [rad], above 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        cells: number of cells.
+        phi_rel: angle between the flanges [rad], fixed start value.
+        tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
+        w_rel: relative speed of the flanges [rad/s], fixed start value.
+    """
+
+    c: Any
+    """stiffness before it slips [N.m/rad], at least 0"""
+    phi_y: Any
+    """twist at which the last cell yields [rad], above 0"""
+    @property
+    def speed(self) -> Any: ...
+    @property
+    def stiffness(self) -> Any: ...
+    @property
+    def slip_stretch(self) -> Any: ...
+    def cell(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        p: ParameterValue,
+        c: ParameterValue,
+        phi_y: ParameterValue,
+        useHeatPort: bool = False,
+        cells: int | np.integer[Any] = 6,
+        phi_rel: Number = ...,
+        tau: Number = ...,
+        w_rel: Number = ...,
+        **parts: Component,
     ) -> None: ...
 
 class Jenkins(CompliantWithSpeed, ElastoPlastic):

@@ -64,6 +64,7 @@ from .sensors import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .sensors import RelativePositionSensor as RelativePositionSensor
 from .sensors import RelativeSpeedSensor as RelativeSpeedSensor
 from .sensors import SpeedSensor as SpeedSensor
+from .slipping_joints import Iwan as Iwan
 from .sources import Accelerate as Accelerate
 from .sources import ConstantForce as ConstantForce
 from .sources import Force as Force

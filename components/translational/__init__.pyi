@@ -11,6 +11,7 @@ from ..bristles import Bristles
 from ..elastoplastic import ElastoPlastic
 from ..filtered import Filtered
 from ..hysteresis import HystereticSpring
+from ..iwan import IwanCells
 from ..language import Component, Number, ParameterValue, SignalValue
 from ..lossy import AtTemperature, Lossy
 from ..pressed import PressedStickSlip
@@ -2853,6 +2854,58 @@ class DriftingFriction(Friction):
         f: Number = ...,
         v_rel: Number = ...,
         a_rel: Number = ...,
+    ) -> None: ...
+
+class Iwan(CompliantWithSpeed, IwanCells):
+    """A joint that slips bit by bit: f = k mean(z_i), cells that yield one after the other, the last at s_y.
+
+    Cell i of n yields at y_i = s_y ((i - 1/2)/n)^p, rounded by Bouc and Wen's law: z_i' = v_rel if v_rel z_i
+    <= 0, else v_rel (1 - |z_i/y_i|^8). Pulled on, it slides at k s_y/(1 + p). With many cells the loops are
+    those of Masing, and before it slides a loop of the amplitude a loses a^(2 + 1/p): p = 1/(1 + chi) of the
+    four-parameter Iwan joint, whose chi is between -1 and 0.
+
+    Source: W. D. Iwan, A distributed-element model for hysteresis and its steady-state dynamic response, J.
+    Appl. Mech. 33 (1966) 893-900; D. J. Segalman, A four-parameter Iwan model for lap-type joints, J. Appl.
+    Mech. 72 (2005) 752-760.
+
+    Example:
+        >>> from inertance import Iwan
+        >>> lap = Iwan(k=1e7, s_y=1e-5, p=2.0)
+
+    Args:
+        p: how the yields spread: 0 all at once, 1 evenly, above 1 more of them early, at least 0.
+        k: stiffness before it slips [N/m], at least 0.
+        s_y: stretch at which the last cell yields [m], above 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        cells: number of cells.
+        s_rel: distance of the flanges [m], fixed start value.
+        f: force between the flanges, positive when it pulls them together [N], fixed start value.
+        v_rel: relative velocity of the flanges [m/s], fixed start value.
+    """
+
+    k: Any
+    """stiffness before it slips [N/m], at least 0"""
+    s_y: Any
+    """stretch at which the last cell yields [m], above 0"""
+    @property
+    def speed(self) -> Any: ...
+    @property
+    def stiffness(self) -> Any: ...
+    @property
+    def slip_stretch(self) -> Any: ...
+    def cell(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        p: ParameterValue,
+        k: ParameterValue,
+        s_y: ParameterValue,
+        useHeatPort: bool = False,
+        cells: int | np.integer[Any] = 6,
+        s_rel: Number = ...,
+        f: Number = ...,
+        v_rel: Number = ...,
+        **parts: Component,
     ) -> None: ...
 
 class Jenkins(CompliantWithSpeed, ElastoPlastic):

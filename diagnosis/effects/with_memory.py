@@ -9,6 +9,7 @@ from itertools import pairwise, product
 import numpy as np
 
 from ...base import Array
+from ...components.iwan import CELL_SHARPNESS, CELLS, yields_of
 from .. import criteria
 from .across import DAMPING, STIFFNESS, across, unstretched
 from .dry_friction import COULOMB
@@ -18,20 +19,21 @@ from .sites import Site
 NEAREST_YIELD = 20.0  # ln of what a hysteretic force may miss of its limit, relative to it, as tabulated
 
 
-def _along(s: Array, law: Callable[[float, Array, float], Array]) -> Array:
-    """Return what a law makes of a motion, stroke by stroke.
+def _along(s: Array, law: Callable[[Array, Array, float], Array], cells: int = 1) -> Array:
+    """Return what a law makes of a motion, stroke by stroke, a row a point and a column a cell.
 
     Args:
         s: distance, which turns between strokes.
-        law: (value at the turn, distance since then, direction) -> values along the stroke.
+        law: (values at the turn, distance since then in a column, direction) -> values along the stroke.
+        cells: how many there are.
     """
-    z = np.zeros(len(s))
+    z = np.zeros((len(s), cells))
     turns = np.flatnonzero(np.diff(np.sign(np.diff(s))) != 0) + 1
     for begin, end in pairwise([0, *turns.tolist(), len(s) - 1]):
         stroke = s[begin + 1 : end + 1] - s[begin]
         moves = len(stroke) > 0 and stroke[-1] != 0.0  # not at rest, nor at an event, which is two points
         way = np.sign(stroke[-1]) if moves else 0.0
-        z[begin + 1 : end + 1] = law(z[begin], np.abs(stroke), way) if moves else z[begin]
+        z[begin + 1 : end + 1] = law(z[begin], np.abs(stroke)[:, None], way) if moves else z[begin]
     return z
 
 
@@ -45,26 +47,37 @@ def _loading(n: float) -> tuple[Array, Array]:
     return x, u
 
 
-def _hysteresis(motion: Motion, shape: Values) -> list[Array]:
-    """Return the hysteretic displacement of a Bouc-Wen element that yields at s_y.
+def _yielded(motion: Motion, yields: Array, n: float) -> Array:
+    """Return the hysteretic displacements of Bouc-Wen elements, a column for each that yields at s_y.
 
     Along a stroke z falls to zero as far as s moves, and rises from zero with z' = 1 - (z/s_y)^n.
     """
-    s_y, n = shape.values()
     x, u = _loading(n)
 
-    def stroke(start: float, moved: Array, way: float) -> Array:
-        first = way * start / s_y
-        at = moved / s_y + (np.interp(first, u, x) if first > 0 else first)
-        return np.asarray(way * s_y * np.where(at > 0, np.interp(at, x, u), at))
+    def stroke(start: Array, moved: Array, way: float) -> Array:
+        first = way * start / yields
+        at = moved / yields + np.where(first > 0, np.interp(first, u, x), first)
+        return np.asarray(way * yields * np.where(at > 0, np.interp(at, x, u), at))
 
-    return [_along(motion.s, stroke)]
+    return _along(motion.s, stroke, len(yields))
+
+
+def _hysteresis(motion: Motion, shape: Values) -> list[Array]:
+    """Return the hysteretic displacement of a Bouc-Wen element."""
+    s_y, n = shape.values()
+    return [_yielded(motion, np.array([s_y]), n)[:, 0]]
+
+
+def _iwan(motion: Motion, shape: Values) -> list[Array]:
+    """Return the mean of what its cells are stretched."""
+    s_y, p = shape.values()
+    return [_yielded(motion, np.array(yields_of(s_y, p, CELLS)), CELL_SHARPNESS).mean(axis=1)]
 
 
 def _dahl(motion: Motion, shape: Values) -> list[Array]:
     """Return the share of friction that has built up: it nears its end as exp(-s/s_p)."""
     (s_p,) = shape.values()
-    return [_along(motion.s, lambda start, moved, way: way - (way - start) * np.exp(-moved / s_p))]
+    return [_along(motion.s, lambda start, moved, way: way - (way - start) * np.exp(-moved / s_p))[:, 0]]
 
 
 def _relaxing(motion: Motion, shape: Values) -> list[Array]:
@@ -116,6 +129,17 @@ across(
         for r, n in product(criteria.YIELD_TRAVEL_RATIOS, criteria.YIELD_EXPONENTS)
     ],
     parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _bouc_wen(at, p).items()},
+    memory=True,
+)
+across(
+    "iwan_hysteresis",
+    "Iwan",
+    both(k=STIFFNESS, s_y=(("s_y", "m"), ("phi_y", "rad"), 0.0, True), p=(("p", "1"), ("p", "1"), 0.0, True)),
+    _iwan,
+    shapes=lambda motion: [
+        {"s_y": r * motion.travel, "p": p}
+        for r, p in product(criteria.SLIP_TRAVEL_RATIOS, criteria.SLIP_SPREADS)
+    ],
     memory=True,
 )
 across(

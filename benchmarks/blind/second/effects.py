@@ -16,9 +16,9 @@ Rng = np.random.Generator
 Offer = tuple[str, str, tuple[str, ...]]
 SERIES = ("backlash", "compliance")
 OUTSIDE = ("impacts", "jam", "softening", "bent_gauge", "drive_limit")
-ONE_LAW = {  # Bouc and Wen's law with the exponent 1 is Dahl's
-    "presliding_friction": ("presliding_friction", "hysteresis"),
-    "hysteresis": ("hysteresis", "presliding_friction"),
+ONE_LAW = {  # Bouc and Wen's law with the exponent 1 is Dahl's; Iwan's is one of cells, as all these have
+    "presliding_friction": ("presliding_friction", "hysteresis", "iwan_hysteresis"),
+    "hysteresis": ("hysteresis", "presliding_friction", "iwan_hysteresis"),
 }
 
 

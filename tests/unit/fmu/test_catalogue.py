@@ -41,6 +41,7 @@ def rubber() -> tuple[ia.Network, dict[str, float]]:
         ia.Maxwell(k=500.0, d=10.0),
         ia.Zener(k_0=200.0, k=300.0, d=8.0),
         ia.FractionalDamper(c=100.0, alpha=0.4, w_low=0.1, decades=4.0, n=3),
+        ia.Iwan(k=200.0, s_y=5e-3, p=1.0, cells=3),
         ia.AirSpring(A=1e-3, p_0=2e5, V_0=1e-4),
         ia.WireRope(k_1=100.0, k_2=1e3, f_y=2.0, s_y=2e-3, n=1.5),
         ia.ObliqueSprings(k=200.0, l_0=0.05, a=0.04),

@@ -1,0 +1,63 @@
+"""Joints that slip bit by bit: cells in parallel that yield one after the other, sliding or turning."""
+
+from ..base import counting
+from .hysteresis import wen_yielding
+from .language import Component, Expression, Stated, der, dissipation, energy, option, parameter
+from .lossy import Rubbing
+
+CELLS = 6
+CELL_SHARPNESS = 8.0  # [1] n of Bouc and Wen's law of a cell: within 2 % of cells that yield sharply
+
+
+def yields_of(largest: Expression, p: Expression, cells: int) -> list[Expression]:
+    """Return where cells of equal stiffness yield: largest u^p at the middles u of equal shares of them."""
+    return [largest * ((i + 0.5) / cells) ** p for i in range(cells)]
+
+
+class IwanCells(Rubbing):
+    """A spring made of cells that yield one after the other: f = k mean(z_i), z_i' = v - yielding_i.
+
+    Each cell is Bouc and Wen's, with n = 8. A subclass gives what a cell is in `cell()`, the relative
+    `speed`, the `stiffness` k and `slip_stretch`, where the last cell yields, and states the force.
+    """
+
+    p = parameter("1", "how the yields spread: 0 all at once, 1 evenly, above 1 more of them early", min=0)
+    cells = option("number of cells", default=CELLS, check=counting)
+    restoring = property(lambda self: self.stiffness * sum(z for z, _ in self.yielding) / self.cells)
+    potential = energy(lambda self: self.stiffness * sum(z**2 for z, _ in self.yielding) / 2 / self.cells)
+    lossPower = dissipation(
+        lambda self: self.stiffness * sum(z * yielding for z, yielding in self.yielding) / self.cells
+    )
+
+    def cell(self) -> Component:
+        """Return a cell, which declares its stretch z."""
+        raise NotImplementedError
+
+    @property
+    def stiffness(self) -> Expression:
+        """Stiffness before it slips."""
+        raise NotImplementedError
+
+    @property
+    def slip_stretch(self) -> Expression:
+        """The stretch at which the last cell yields."""
+        raise NotImplementedError
+
+    def parts(self) -> dict[str, Component]:
+        """Return the cells."""
+        return {f"cell{i}": self.cell() for i in range(1, self.cells + 1)}
+
+    @property
+    def yielding(self) -> list[tuple[Expression, Expression]]:
+        """The stretch of each cell, and what its rate falls short of the speed by."""
+        stretches = [getattr(self, f"cell{i}").z for i in range(1, self.cells + 1)]
+        yields = yields_of(self.slip_stretch, self.p, self.cells)
+        shares = [0.5 / y**CELL_SHARPNESS for y in yields]
+        return [
+            (z, wen_yielding(self.speed, z, share, share, CELL_SHARPNESS))
+            for z, share in zip(stretches, shares, strict=True)
+        ]
+
+    def equations(self) -> Stated:
+        for z, yielding in self.yielding:
+            yield der(z) == self.speed - yielding
