@@ -19,6 +19,7 @@ from . import criteria
 from .law.forced import screened_along
 from .models.fmu_network import read_model
 from .models.study import FMUStudy, Report, Study, study_of, thinned
+from .search.ahead import gone_ahead
 from .search.choice import taken
 from .search.crew import LATE
 from .search.joint_fit import JointFit
@@ -90,11 +91,15 @@ def diagnose(
     known: tuple[Study, Refit, Refit, Refit, list[Round]] | None = None
     try:
         looked_at: Refit | None = None
+        ahead = False
         while True:
             chosen = None
             if _may_go_on(best, base, study):
                 done = run_round(study, best, rounds, before)
                 chosen = taken(done, base) or _chosen_along(study, done, base)
+            if chosen is None and not ahead and rounds and not explains(best, base, study):
+                ahead = True
+                best, chosen = gone_ahead(study, rounds, best, base) or (best, None)
             if chosen is None:
                 if best is looked_at or not _is_worth_a_look(best, base, study):
                     break
@@ -118,7 +123,7 @@ def diagnose(
                 study, tried = heard, Tried(heard)
                 if again is None:
                     start, base = _refitted(study, chosen.parameters)
-                    best, rivals, before, rounds = base, Rivals(), rounds, []
+                    best, rivals, before, rounds, ahead = base, Rivals(), rounds, [], False
                     continue
                 start, base, chosen, rounds = again
             best, rivals = revised(pruned(chosen, tried), rounds, tried)

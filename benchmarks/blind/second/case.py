@@ -14,7 +14,7 @@ from case import MODELS
 from effects import Sized, Typical, typical_of
 from excitations import DURATION, RATE, STEP
 from plan import Draft
-from second.effects import ONE_LAW, SERIES, draw, places, signals
+from second.effects import ONE_LAW, SERIES, draw, rivals, signals
 from second.excitations import PREROLL, excitation
 from second.recording import Logger, Taken, drawn, left, taken, write
 from second.rigs import BIAS, FILED, RIGS
@@ -164,7 +164,7 @@ def _answers(bench: Bench, sized: Sized, rig: Rig, group: str) -> list[tuple[str
         return []
     kinds = ONE_LAW.get(effect.kind, (effect.kind,))
     own = [(kind, site) for kind in kinds for site in effect.sites]
-    return own + bench.alike(effect, size, places(rig))
+    return own + bench.alike(effect, size, rivals(rig))
 
 
 def _campaign(truth: Truth, entries: list[str]) -> str:

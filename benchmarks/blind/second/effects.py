@@ -27,6 +27,13 @@ def places(rig: Rig) -> list[Offer]:
     return [(kind, place, _sites(rig, place, kind)) for place, kinds in rig.kinds.items() for kind in kinds]
 
 
+def rivals(rig: Rig) -> list[Offer]:
+    """Return what the list of a diagnosis may take an effect for: all a rig offers, and a force on each motion."""
+    offers = places(rig)
+    forces: list[Offer] = [("constant_force", place, motion.sites) for place, motion in rig.motions.items()]
+    return offers + [force for force in forces if force not in offers]
+
+
 def outside(rig: Rig) -> list[Offer]:
     """Return every (kind, place, sites) a rig offers that the vocabulary lacks."""
     held = {place for place in rig.motions if any(kind in rig.kinds.get(place, ()) for kind in STAYING)}

@@ -218,6 +218,7 @@ SPINDLE = Rig(
 
 MOUNT = Motion(("mount",), (1.0, 0.0), -1.0)
 INNER = Motion(("inner",), (-1.0, 1.0))
+LOADED = Motion(("payload", "frame"), (0.0, 1.0))  # of either, what pulls at it at rest shows in F alone
 
 
 def _isolator(values: Values, without: str, extra: Mapping[str, float]) -> tuple[Assembly, list[Row]]:
@@ -242,7 +243,7 @@ ISOLATOR = Rig(
     },
     prescribed=True,
     assemble=_isolator,
-    motions={"mount": MOUNT, "inner": INNER},
+    motions={"mount": MOUNT, "inner": INNER, "loaded": LOADED},
     bonds={
         "mount": Bond(MOUNT, "mount.k", "mount.d", ("mount",)),
         "inner": Bond(INNER, "inner.k", "inner.d", ("inner",)),
