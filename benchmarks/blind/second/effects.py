@@ -28,7 +28,7 @@ def places(rig: Rig) -> list[Offer]:
 
 
 def rivals(rig: Rig) -> list[Offer]:
-    """Return what the list of a diagnosis may take an effect for: all a rig offers, and a force on each motion."""
+    """Return what a diagnosis may take an effect for: all a rig offers, and a force on each motion."""
     offers = places(rig)
     forces: list[Offer] = [("constant_force", place, motion.sites) for place, motion in rig.motions.items()]
     return offers + [force for force in forces if force not in offers]
