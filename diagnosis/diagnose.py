@@ -34,7 +34,7 @@ from .search.reweighed import reweighed
 from .search.round import Round, go_on, run_round
 from .search.tried import Tried, without
 from .verdict.beyond import beyond_the_list
-from .verdict.decide import decided, explains
+from .verdict.decide import certain_part, decided, explains
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
 
@@ -99,7 +99,7 @@ def diagnose(
                 chosen = taken(done, base) or _chosen_along(study, done, base)
             if chosen is None and not ahead and rounds and not explains(best, base, study):
                 ahead = True
-                best, chosen = gone_ahead(study, rounds, best, base) or (best, None)
+                best, chosen = _gone_ahead(study, rounds, best, base)
             if chosen is None:
                 if best is looked_at or not _is_worth_a_look(best, base, study):
                     break
@@ -154,6 +154,21 @@ def _chosen_along(study: Study, done: Round, base: Refit) -> Refit | None:
         return None
     go_on(study, done, candidates, near)
     return taken(done, base)
+
+
+def _gone_ahead(study: Study, rounds: list[Round], best: Refit, base: Refit) -> tuple[Refit, Refit | None]:
+    """Return the model to go on from, and that of two effects which say nothing alone, if there are such.
+
+    What would be named of the best so far gives way only to what explains the gap.
+    """
+    named = certain_part(best, base, rounds, study).effects
+    found = gone_ahead(study, rounds, best, base)
+    if found is None:
+        return best, None
+    if named and not explains(found[1], base, study):
+        rounds.pop()
+        return best, None
+    return found
 
 
 def refitted_as_heard(study: Study) -> tuple[Study, Refit, Refit]:
