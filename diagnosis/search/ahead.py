@@ -22,7 +22,7 @@ def gone_ahead(study: Study, rounds: list[Round], best: Refit, base: Refit) -> t
     for begun in _beginnings(first, best):
         if study.late():
             break
-        study.tell(f"going on from {begun.labels[0]}, which says nothing alone")
+        study.tell(f"going on from {begun.labels[0]}, which comes near the training records")
         done = run_round(study, begun, rounds)
         chosen = taken(Round(base, done.candidates, done.fitted), base)
         if chosen is not None and is_clear(best, chosen):
