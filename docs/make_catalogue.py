@@ -260,6 +260,25 @@ def _(ax: Axes) -> None:
     told(ax, "time [s]", "s of the tower [mm]")
 
 
+@panel("joints", "Iwan")
+def _(ax: Axes) -> None:
+    for size in (1e-3, 2e-3):
+        loop(ax, ia.Iwan(k=1e6, s_y=2e-3, p=2.0, cells=20), size)
+
+
+@panel("joints", "Iwan, BoucWen")
+def _(ax: Axes) -> None:
+    laps = {f"Iwan, p = {p:g}": ia.Iwan(k=1e6, s_y=2e-3, p=p, cells=20) for p in (1.0, 2.0)}
+    shape = 0.5 / 2e-3**2
+    laps["BoucWen, n = 2"] = ia.BoucWen(k=1e6, alpha=0.0, beta=shape, gamma=shape, n=2.0)
+    sizes = 1e-3 * np.geomspace(0.1, 1.0, 6)
+    for name, lap in laps.items():
+        runs = [moved(lap.clone(), swing(size)) for size in sizes]
+        lost = [np.trapezoid(run["element.lossPower"][run.time > 1], run.time[run.time > 1]) for run in runs]
+        ax.loglog(1e3 * sizes, lost, label=name)
+    told(ax, "size of the loop [mm]", "lost in a loop [J]")
+
+
 @panel("fluids", "AirSpring")
 def _(ax: Axes) -> None:
     for n in (1.0, 1.4):
