@@ -1,7 +1,9 @@
 """Joints that slip bit by bit: cells in parallel that yield one after the other, sliding or turning."""
 
+import casadi as ca
+
 from ..base import counting
-from .hysteresis import wen_yielding
+from .hysteresis import LEAST_HYSTERESIS
 from .language import Component, Expression, Stated, der, dissipation, energy, option, parameter
 from .lossy import Rubbing
 
@@ -14,8 +16,17 @@ def yields_of(largest: Expression, p: Expression, cells: int) -> list[Expression
     return [largest * ((i + 0.5) / cells) ** p for i in range(cells)]
 
 
+def slip_share(v: Expression, z: Expression, z_y: Expression) -> Expression:
+    """Return with which share of its speed a cell slips: |z/z_y|^n while it is stretched on, else none.
+
+    That is Bouc and Wen's law with beta = gamma, told so that the rate of what slips wholly has few errors.
+    """
+    size = ca.fmax(ca.fabs(z), LEAST_HYSTERESIS)
+    return (size / z_y) ** CELL_SHARPNESS * (1 + ca.sign(v) * ca.sign(z)) / 2
+
+
 class IwanCells(Rubbing):
-    """A spring made of cells that yield one after the other: f = k mean(z_i), z_i' = v - yielding_i.
+    """A spring made of cells that yield one after the other: f = k mean(z_i), z_i' = v (1 - slip_i).
 
     Each cell is Bouc and Wen's, with n = 8. A subclass gives what a cell is in `cell()`, the relative
     `speed`, the `stiffness` k and `slip_stretch`, where the last cell yields, and states the force.
@@ -23,10 +34,10 @@ class IwanCells(Rubbing):
 
     p = parameter("1", "how the yields spread: 0 all at once, 1 evenly, above 1 more of them early", min=0)
     cells = option("number of cells", default=CELLS, check=counting)
-    restoring = property(lambda self: self.stiffness * sum(z for z, _ in self.yielding) / self.cells)
-    potential = energy(lambda self: self.stiffness * sum(z**2 for z, _ in self.yielding) / 2 / self.cells)
+    restoring = property(lambda self: self.stiffness * sum(z for z, _ in self.slipping) / self.cells)
+    potential = energy(lambda self: self.stiffness * sum(z**2 for z, _ in self.slipping) / 2 / self.cells)
     lossPower = dissipation(
-        lambda self: self.stiffness * sum(z * yielding for z, yielding in self.yielding) / self.cells
+        lambda self: self.stiffness * self.speed * sum(z * slip for z, slip in self.slipping) / self.cells
     )
 
     def cell(self) -> Component:
@@ -48,16 +59,12 @@ class IwanCells(Rubbing):
         return {f"cell{i}": self.cell() for i in range(1, self.cells + 1)}
 
     @property
-    def yielding(self) -> list[tuple[Expression, Expression]]:
-        """The stretch of each cell, and what its rate falls short of the speed by."""
+    def slipping(self) -> list[tuple[Expression, Expression]]:
+        """The stretch of each cell, and the share of the speed with which it slips."""
         stretches = [getattr(self, f"cell{i}").z for i in range(1, self.cells + 1)]
         yields = yields_of(self.slip_stretch, self.p, self.cells)
-        shares = [0.5 / y**CELL_SHARPNESS for y in yields]
-        return [
-            (z, wen_yielding(self.speed, z, share, share, CELL_SHARPNESS))
-            for z, share in zip(stretches, shares, strict=True)
-        ]
+        return [(z, slip_share(self.speed, z, y)) for z, y in zip(stretches, yields, strict=True)]
 
     def equations(self) -> Stated:
-        for z, yielding in self.yielding:
-            yield der(z) == self.speed - yielding
+        for z, slip in self.slipping:
+            yield der(z) == self.speed * (1 - slip)
