@@ -268,7 +268,7 @@ def _(ax: Axes) -> None:
 
 @panel("joints", "Iwan, BoucWen")
 def _(ax: Axes) -> None:
-    laps = {f"Iwan, p = {p:g}": ia.Iwan(k=1e6, s_y=2e-3, p=p, cells=20) for p in (1.0, 2.0)}
+    laps: dict[str, Any] = {f"Iwan, p = {p:g}": ia.Iwan(k=1e6, s_y=2e-3, p=p, cells=20) for p in (1.0, 2.0)}
     shape = 0.5 / 2e-3**2
     laps["BoucWen, n = 2"] = ia.BoucWen(k=1e6, alpha=0.0, beta=shape, gamma=shape, n=2.0)
     sizes = 1e-3 * np.geomspace(0.1, 1.0, 6)
