@@ -8,7 +8,7 @@ from .language import Component, Expression, Stated, der, dissipation, energy, o
 from .lossy import Rubbing
 
 CELLS = 6
-CELL_SHARPNESS = 8.0  # [1] n of Bouc and Wen's law of a cell: within 2 % of cells that yield sharply
+CELL_SHARPNESS = 8.0  # [1] n of Bouc and Wen's law of a cell: within 2 % of sharp cells where all slip
 
 
 def yields_of(largest: Expression, p: Expression, cells: int) -> list[Expression]:
@@ -34,8 +34,8 @@ class IwanCells(Rubbing):
 
     p = parameter("1", "how the yields spread: 0 all at once, 1 evenly, above 1 more of them early", min=0)
     cells = option("number of cells", default=CELLS, check=counting)
-    restoring = property(lambda self: self.stiffness * sum(z for z, _ in self.slipping) / self.cells)
-    potential = energy(lambda self: self.stiffness * sum(z**2 for z, _ in self.slipping) / 2 / self.cells)
+    restoring = property(lambda self: self.stiffness * sum(self.stretches) / self.cells)
+    potential = energy(lambda self: self.stiffness * sum(z**2 for z in self.stretches) / 2 / self.cells)
     lossPower = dissipation(
         lambda self: self.stiffness * self.speed * sum(z * slip for z, slip in self.slipping) / self.cells
     )
@@ -59,11 +59,15 @@ class IwanCells(Rubbing):
         return {f"cell{i}": self.cell() for i in range(1, self.cells + 1)}
 
     @property
+    def stretches(self) -> list[Expression]:
+        """The stretch of each cell."""
+        return [getattr(self, f"cell{i}").z for i in range(1, self.cells + 1)]
+
+    @property
     def slipping(self) -> list[tuple[Expression, Expression]]:
         """The stretch of each cell, and the share of the speed with which it slips."""
-        stretches = [getattr(self, f"cell{i}").z for i in range(1, self.cells + 1)]
         yields = yields_of(self.slip_stretch, self.p, self.cells)
-        return [(z, slip_share(self.speed, z, y)) for z, y in zip(stretches, yields, strict=True)]
+        return [(z, slip_share(self.speed, z, y)) for z, y in zip(self.stretches, yields, strict=True)]
 
     def equations(self) -> Stated:
         for z, slip in self.slipping:

@@ -2417,6 +2417,8 @@ class Iwan(CompliantWithSpeed, IwanCells):
     Cell i of n yields at y_i = phi_y ((i - 1/2)/n)^p, rounded by Bouc and Wen's law: z_i' = w_rel if w_rel
     z_i <= 0, else w_rel (1 - |z_i/y_i|^8). Twisted on, it slides at c phi_y/(1 + p).
 
+    How many cells it takes, as of the translational one.
+
     Source: as the translational `Iwan`, written for turning.
 
     Example:

@@ -19,6 +19,10 @@ class Iwan(CompliantWithSpeed, IwanCells):
     those of Masing, and before it slides a loop of the amplitude a loses a^(2 + 1/p): p = 1/(1 + chi) of the
     four-parameter Iwan joint, whose chi is between -1 and 0.
 
+    Six cells are within 2 % of the force of many sharp ones where it moves by s_y and more, and within 4 %
+    where it moves by a tenth; but what it loses there may be half too much, and is nothing below the first
+    yield. Twenty cells are within 11 %, 40 within 6 %, with p of 1 and more.
+
     Source: W. D. Iwan, A distributed-element model for hysteresis and its steady-state dynamic response, J.
     Appl. Mech. 33 (1966) 893-900; D. J. Segalman, A four-parameter Iwan model for lap-type joints, J. Appl.
     Mech. 72 (2005) 752-760.

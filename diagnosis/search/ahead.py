@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from .. import criteria
 from ..models.study import Study
@@ -33,11 +33,11 @@ def gone_ahead(study: Study, rounds: list[Round], best: Refit, base: Refit) -> t
 
 def _beginnings(first: Round, best: Refit) -> Iterator[Refit]:
     """Yield models of a first round that were not gone on from, the nearest to the training records first."""
-    known: Sequence[float] = [best.cost] if best.effects else []
-    count = 0
+    known = [best.cost] if best.effects else []
+    most = len(known) + criteria.BEGINNINGS
     for model in sorted(first.fitted, key=lambda model: model.cost):
-        if count == criteria.BEGINNINGS or model.cost > criteria.BEGINNING_COST_RATIO * first.base.cost:
+        if len(known) == most or model.cost > criteria.BEGINNING_COST_RATIO * first.base.cost:
             return
         if all(abs(model.cost / other - 1) > criteria.ALIKE_COST_SHARE for other in known):
-            known, count = [*known, model.cost], count + 1
+            known.append(model.cost)
             yield model

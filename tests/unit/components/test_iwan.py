@@ -40,6 +40,24 @@ def test_few_round_cells_are_many_sharp_ones(p: float) -> None:
     assert 0.005 < left < 0.025
 
 
+@pytest.mark.parametrize("p", [1.0, 2.0])
+@pytest.mark.parametrize(
+    ("size", "cells", "force", "work"),
+    [(5.0, 6, 0.02, 0.02), (0.1, 6, 0.045, 0.6), (0.1, 20, 0.015, 0.12), (0.1, 40, 0.015, 0.07)],
+)
+def test_how_many_cells_it_takes_where_it_hardly_slips_and_where_it_slides_far(
+    p: float, size: float, cells: int, force: float, work: float
+) -> None:
+    def motion(t: Any) -> Any:
+        return 2.5 * YIELD + size * wandering(t)
+
+    run = moved(ia.Iwan(k=K, s_y=YIELD, p=p, cells=cells), motion, 6.0)
+    expected, found = sharp_cells(motion(run.time), p), run["joint.f"]
+    spent, told = (float(np.trapezoid(f * run["joint.v_rel"], run.time)) for f in (expected, found))
+    assert np.sqrt(np.mean((found - expected) ** 2) / np.mean(expected**2)) < force
+    assert told == pytest.approx(spent, rel=work)
+
+
 @pytest.mark.parametrize("p", [0.0, 1.0, 3.0])
 def test_pulled_on_it_slides(p: float) -> None:
     run = moved(ia.Iwan(k=K, s_y=YIELD, p=p, cells=30), lambda t: 0.1 * t, 1.5)
