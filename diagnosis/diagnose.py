@@ -162,13 +162,8 @@ def _gone_ahead(study: Study, rounds: list[Round], best: Refit, base: Refit) -> 
     What would be named of the best so far gives way only to what explains the gap.
     """
     named = certain_part(best, base, rounds, study).effects
-    found = gone_ahead(study, rounds, best, base)
-    if found is None:
-        return best, None
-    if named and not explains(found[1], base, study):
-        rounds.pop()
-        return best, None
-    return found
+    found = gone_ahead(study, rounds, best, base, lambda model: not named or explains(model, base, study))
+    return found or (best, None)
 
 
 def refitted_as_heard(study: Study) -> tuple[Study, Refit, Refit]:

@@ -118,9 +118,11 @@ class Beside:
     def left(self) -> Array:
         """The residual less offsets, (instants, outputs)."""
         residual, names = self.residual, list(self.found.values)
-        free = [names.index(name) for name in self.experiment.offset]
-        if self.until != 0:
-            residual[: self.until, free] -= residual[: self.until, free].mean(axis=0)
+        counts = self._weights[:, :, 0] > 0
+        for name in self.experiment.offset:
+            at = counts[:, names.index(name)], names.index(name)
+            if at[0].any():
+                residual[at] -= residual[at].mean()
         return residual
 
     @property

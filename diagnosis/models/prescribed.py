@@ -24,11 +24,15 @@ def moving(campaign: Campaign) -> Campaign:
         return campaign
     rid, count, end = copy(campaign), len(campaign.training), len(campaign.experiments)
     left = [
-        replace(experiment, omitted=found) if found.any() and not found.all() else experiment
+        experiment if found.all() else replace(experiment, omitted=_either(experiment.omitted, found))
         for experiment, found in zip(records, still, strict=True)
     ]
     rid.training, rid.testing, rid.changed = left[:count], left[count:end], left[end:]
     return rid
+
+
+def _either(omitted: Flags | None, found: Flags) -> Flags:
+    return found if omitted is None else np.logical_or(omitted, found)
 
 
 def standing(inputs: Sequence[Array], rate: float) -> Flags:

@@ -7,12 +7,12 @@ from concurrent.futures import Executor
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import inf
+from math import ceil, inf
 from time import monotonic
 
 import numpy as np
 
-from ...base import Array
+from ...base import Array, Flags
 from ...identification import (
     Accuracy,
     Campaign,
@@ -25,6 +25,7 @@ from ...identification import (
 from ..criteria import (
     ACTIVE_POWER_SHARE,
     COMPARISON_RATE_HZ,
+    END_SHARE,
     FAST_NOISE_RATIO,
     IMPACT_STEPS_RATIO,
     NOISE_PEAK_STANDARD_DEVIATIONS,
@@ -205,7 +206,8 @@ def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
     """Return a campaign whose outputs are compared as often as machines need, and no more often.
 
     Inputs lose what is too fast to be compared where that is noise, which their second derivatives feel. Held
-    ones have none.
+    ones have none. At the ends nothing is compared: an input that acts late, and a sensor that is early, ask
+    for what nobody recorded.
     """
     smooth = [name for name in campaign.inputs if not campaign.measured[name].held]
     thin = _each(campaign, lambda experiment: _slowed(experiment, smooth, rate))
@@ -234,7 +236,15 @@ def _slowed(experiment: Experiment, driven: Sequence[str], rate: float) -> Exper
         smooth = Filter(cutoff=0.5 * record.rate / every)
         calm = {name: quiet(record.values[name], smooth, record.rate) for name in driven}
         record = replace(record, values=record.values | calm)
-    return replace(experiment, record=record, every=every)
+    slow = replace(experiment, record=record, every=every)
+    return replace(slow, omitted=at_ends(slow))
+
+
+def at_ends(experiment: Experiment) -> Flags:
+    """Tell which instants are at an end of a record; what was before a start at rest is known."""
+    count = len(experiment.compared.time)
+    few, at = ceil(END_SHARE * count), np.arange(count)
+    return np.asarray((at >= count - few) | (at < (0 if experiment.initial == "rest" else few)))
 
 
 def quiet(values: Array, smooth: Filter, rate: float) -> Array:

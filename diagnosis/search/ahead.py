@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from .. import criteria
 from ..models.study import Study
@@ -11,8 +11,10 @@ from .model_comparison import Refit, is_clear
 from .round import Round, run_round
 
 
-def gone_ahead(study: Study, rounds: list[Round], best: Refit, base: Refit) -> tuple[Refit, Refit] | None:
-    """Return a model of one effect and one of two, which does clearly better than the best so far.
+def gone_ahead(
+    study: Study, rounds: list[Round], best: Refit, base: Refit, suffices: Callable[[Refit], bool]
+) -> tuple[Refit, Refit] | None:
+    """Return a model of one effect and one of two, which suffices and is clearly better than the best so far.
 
     While much else is missing, parameters make up for it in the training records as they cannot elsewhere:
     the effect that is there hardly shows in the test records, though it halves the cost. So the search goes
@@ -25,7 +27,7 @@ def gone_ahead(study: Study, rounds: list[Round], best: Refit, base: Refit) -> t
         study.tell(f"going on from {begun.labels[0]}, which comes near the training records")
         done = run_round(study, begun, rounds)
         chosen = taken(Round(base, done.candidates, done.fitted), base)
-        if chosen is not None and is_clear(best, chosen):
+        if chosen is not None and is_clear(best, chosen) and suffices(chosen):
             return begun, chosen
         rounds.remove(done)
     return None

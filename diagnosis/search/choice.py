@@ -63,7 +63,7 @@ def is_worth_it(plain: Refit, richer: Refit) -> bool:
     left = plain.misfit**2 - 1.0
     taken = plain.misfit**2 - richer.misfit**2
     nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
-    nearly_all = taken > criteria.SURE_GENERALISATION_SHARE * left
+    nearly_all = left > 0 and taken > criteria.SURE_GENERALISATION_SHARE * left
     clear = nothing_left or nearly_all or is_clear(plain, richer)
     return taken > criteria.GENERALISATION_SHARE * left and clear
 

@@ -98,7 +98,13 @@ class Refit:
     def is_noise(self, experiments: Sequence[Experiment]) -> bool:
         """Tell whether what it misses of the records that it is judged by looks like noise."""
         return all(
-            is_noise(missed, experiment.counted(experiment.compared.values[name]), experiment.rate, count)
+            is_noise(
+                missed,
+                experiment.counted(experiment.compared.values[name]),
+                experiment.rate,
+                count,
+                experiment.sigma[name],
+            )
             for name in self.judged[0]
             for experiment, missed, count in zip(
                 experiments, self.counted(experiments, name), self.stretches, strict=True

@@ -18,7 +18,7 @@ from ..criteria import (
 )
 from ..effects.hypothesis import Hypothesis, told
 from ..effects.plausibility import doubtful
-from ..models.study import Study
+from ..models.study import Study, at_ends
 from ..search.model_comparison import Refit, rms
 
 
@@ -38,10 +38,12 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
 
 def _omissions(campaign: Campaign) -> Iterator[str]:
     omitted = [
-        (e.name, float(e.omitted.sum()) / e.rate) for e in campaign.experiments if e.omitted is not None
+        (float((e.omitted & ~at_ends(e)).sum()) / e.rate, e.name)
+        for e in campaign.experiments
+        if e.omitted is not None
     ]
-    if omitted:
-        spans = ", ".join(f"{seconds:.3g} s of {name}" for name, seconds in omitted)
+    spans = ", ".join(f"{seconds:.3g} s of {name}" for seconds, name in omitted if seconds)
+    if spans:
         yield f"all motion stands still in {spans}: not compared, as dry friction may hold any force there"
 
 

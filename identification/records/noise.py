@@ -124,28 +124,30 @@ def _usual_scatter(values: Array) -> float:
     return NORMAL_SCATTER * float(np.median(np.abs(values)))
 
 
-def is_noise(residual: Array, signal: Array, rate: float, stretches: int) -> bool:
+def is_noise(residual: Array, signal: Array, rate: float, stretches: int, known: float = 0.0) -> bool:
     """Tell whether something is as strong at all frequencies that a filter may have left, and at all times.
 
     Its mean is small. If it is weak above a frequency, it must be strong where the signal is weak, too. If it
-    is weak above none, it is as strong in the quietest instants: impacts are at all frequencies as well.
+    is weak above none, it is as strong in the quietest instants: impacts are at all frequencies as well. A
+    coarse sensor that stands still, or takes a step a sample, seems quieter than the noise that is known.
 
     Args:
         residual: what a model misses.
         signal: what was measured.
         rate: samples a second [Hz].
         stretches: of time, that are compared with each other.
+        known: standard deviation of the noise that is known.
     """
     noise, density = residual_floor(residual, rate, NoiseFloor(0.0, "")), density_of(residual)
     end = round(noise.share(rate) * len(density))
     moving = density_of(signal)
-    known = np.maximum(moving - density, 0.0)[end // 2 :].sum()
-    follows = end < len(density) and known > WEAK_POWER_SHARE * moving.sum()
+    told = np.maximum(moving - density, 0.0)[end // 2 :].sum()
+    follows = end < len(density) and told > WEAK_POWER_SHARE * moving.sum()
     if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
         return False
     if np.mean(residual) ** 2 > MEAN_POWER_SHARE * np.mean(residual**2):
         return False
-    if noise.share(rate) == 1 and noise.sigma > EVENTFUL_RATIO * _quietest(residual):
+    if noise.share(rate) == 1 and noise.sigma > EVENTFUL_RATIO * max(known, _quietest(residual)):
         return False
     return _is_even(residual, stretches, noise.share(rate))
 

@@ -208,6 +208,7 @@ def _acted(effect: Effect, size: float, drive: Drive, step: float, usual: float)
     if effect.kind == "actuator_lag":
         return Drive(*(lagged(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
     if effect.kind == "actuator_delay":
+        size *= effect.shape.get("sign", 1.0)
         return Drive(*(_late(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
     if effect.kind == "actuator_backlash":
         w = _play(drive.w, size)

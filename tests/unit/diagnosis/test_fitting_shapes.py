@@ -96,6 +96,21 @@ def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, 
     assert is_worth_it(plain, richer) is worth
 
 
+def test_what_generalises_is_not_worth_it_where_noise_was_thought_to_be_larger() -> None:
+    """Less than the noise that is told is left without it, so that it takes nothing away."""
+    rng, made = np.random.default_rng(0), campaign()
+    noise = 0.9 * rng.standard_normal(1001)
+
+    def fitted(residual: Array) -> Refit:
+        return Refit(
+            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
+        )
+
+    for share in (0.01, -0.01):
+        other = noise + share * rng.standard_normal(1001) - 0.5 * share**2 * noise
+        assert not is_worth_it(fitted(noise), fitted(other))
+
+
 def test_what_takes_nearly_all_away_is_worth_it_though_most_stretches_do_not_tell() -> None:
     rng, made = np.random.default_rng(0), campaign()
     noise = rng.standard_normal(1001)

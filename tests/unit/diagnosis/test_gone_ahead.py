@@ -83,3 +83,29 @@ def test_what_the_search_went_on_from_is_not_tried_again() -> None:
 def test_no_more_is_begun_than_is_granted() -> None:
     first: Any = SimpleNamespace(base=model(100.0), fitted=[model(cost, "x") for cost in (10.0, 20.0, 30.0)])
     assert len(list(ahead._beginnings(first, first.base))) == 2
+
+
+@pytest.mark.parametrize(("suffices", "begun"), [("first", ["first"]), ("second", ["first", "second"])])
+def test_the_second_beginning_is_tried_where_what_the_first_leads_to_does_not_suffice(
+    suffices: str, begun: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    base, told = model(100.0), list[str]()
+    first = SimpleNamespace(base=base, fitted=[model(10.0, "first"), model(50.0, "second")])
+    for one in first.fitted:
+        one.labels = one.effects
+
+    def round_from(_: Any, at: Any, rounds: list[Any]) -> Any:
+        told.append(at.effects[0])
+        rounds.append(SimpleNamespace(candidates=[], fitted=[model(1.0, at.effects[0], "other")]))
+        return rounds[-1]
+
+    monkeypatch.setattr(ahead, "run_round", round_from)
+    monkeypatch.setattr(ahead, "taken", lambda done, _: done.fitted[0])
+    monkeypatch.setattr(ahead, "is_clear", lambda *_: True)
+    study: Any = SimpleNamespace(late=lambda: False, tell=lambda _: None)
+    rounds: list[Any] = [first]
+    asked: Any = lambda chosen: chosen.effects[0] == suffices  # noqa: E731
+    found: Any = ahead.gone_ahead(study, rounds, base, base, asked)
+    assert names(found) == [suffices, suffices]
+    assert told == begun
+    assert len(rounds) == 2

@@ -81,3 +81,11 @@ def test_what_has_a_mean_is_no_noise() -> None:
     assert is_noise(noise, signal, RATE, 16)
     assert is_noise(noise + 0.05, signal, RATE, 16)
     assert not is_noise(noise + 0.5, signal, RATE, 16)
+
+
+@pytest.mark.parametrize(("known", "noise"), [(1.0, True), (0.1, False)])
+def test_what_is_quiet_now_and_then_is_noise_if_that_is_known(known: float, noise: bool) -> None:
+    """As a coarse sensor is quiet that stands still, and impacts are between each other."""
+    rng = np.random.default_rng(0)
+    left = rng.standard_normal(COUNT) * np.where(np.arange(COUNT) % 500 < 300, 1.0, 0.05)
+    assert is_noise(left, 50 * low_passed(rng, 6, 8.0), RATE, 8, known) is noise
