@@ -59,9 +59,8 @@ def filtered(courses: Sequence[Course], roughness: Roughness, keep: bool = True)
     stack = _Stack(courses, roughness)
     records, sites, n, order = stack.shape
     size, outputs, count = n + order, stack.outputs, stack.columns.shape[3]
-    P = np.zeros((records, sites, size, size))
-    P[:, :, n:, n:] = roughness.start
-    Z = np.zeros((records, sites, size, count))
+    W = np.zeros((records, sites, size, size + count))  # covariance and columns side by side
+    W[:, :, n:, n:size] = roughness.start
     innovations = np.zeros((stack.points, records, sites, outputs, count))
     spreads = np.ones((stack.points, records, sites, outputs))
     kept = stack.points if keep else 0
@@ -69,25 +68,24 @@ def filtered(courses: Sequence[Course], roughness: Roughness, keep: bool = True)
     rows, ahead = np.zeros((kept, records, sites, size)), np.zeros((kept, records, sites, count))
     for k in range(stack.points):
         if keep:
-            rows[k], ahead[k] = P[:, :, n], Z[:, :, n]
+            rows[k], ahead[k] = W[:, :, n, :size], W[:, :, n, size:]
         for j in range(outputs):
             if not stack.measured[k, j]:
                 continue
             h = stack.seen(k, j)
-            Ph = (P @ h[..., None])[..., 0]
-            spread = (h * Ph).sum(-1) + stack.weight[k, :, None, j]
-            gain = Ph / spread[..., None]
-            missed = stack.columns[k, :, None, j] - (h[..., None, :] @ Z)[..., 0, :]
-            Z += gain[..., None] * missed[..., None, :]
-            P -= gain[..., None] * Ph[..., None, :]
-            innovations[k, :, :, j], spreads[k, :, :, j] = missed, spread
+            foreseen = (h[..., None, :] @ W)[..., 0, :]
+            spread = (h * foreseen[..., :size]).sum(-1) + stack.weight[k, :, None, j]
+            gain = foreseen[..., :size] / spread[..., None]
+            foreseen[..., size:] -= stack.columns[k, :, None, j]
+            W -= gain[..., None] * foreseen[..., None, :]
+            innovations[k, :, :, j], spreads[k, :, :, j] = -foreseen[..., size:], spread
             if keep:
                 gains[k, :, :, j] = gain
         if k + 1 < stack.points:
             T, Q = stack.step(k)
-            Z = T @ Z
-            P = T @ P @ np.swapaxes(T, 2, 3) + Q
-            P = 0.5 * (P + np.swapaxes(P, 2, 3))
+            W = T @ W
+            P = W[..., :size] @ np.swapaxes(T, 2, 3) + Q
+            W[..., :size] = 0.5 * (P + np.swapaxes(P, 2, 3))
     seen: Any = (stack.weight < UNSEEN)[:, :, None, :]
     weighted = innovations * np.sqrt(np.where(seen, 1.0, 0.0) / spreads)[..., None]
     gram = np.einsum("krsjc,krsjd->rscd", weighted, weighted, optimize=True)
@@ -106,31 +104,31 @@ def smoothed(found: Filtered) -> tuple[Array, Array]:
     missed = (found.innovations @ signs[..., None])[..., 0]
     force = (found.ahead * signs).sum(-1)
     error = np.zeros_like(force)
-    r, N = np.zeros((records, sites, size)), np.zeros((records, sites, size, size))
+    M = np.zeros((records, sites, size, size + 1))  # what later points tell of the error, and of the state
     for k in range(stack.points - 1, -1, -1):
         for j in range(stack.outputs - 1, -1, -1):
             if not stack.measured[k, j]:
                 continue
             h, gain, spread = stack.seen(k, j), found.gains[k, :, :, j], found.spreads[k, :, :, j]
-            live = np.where(stack.weight[k, :, None, j] < UNSEEN, 1.0, 0.0)
-            pull = (missed[k, :, :, j] * live / spread) - (gain * r).sum(-1)
-            r = r + h * pull[..., None]
-            Ng = (N @ gain[..., None])[..., 0]
-            both = (gain * Ng).sum(-1) + live / spread
-            N = N - h[..., None] * Ng[..., None, :] - Ng[..., None] * h[..., None, :]
-            N += both[..., None, None] * h[..., None] * h[..., None, :]
+            live = np.where(stack.weight[k, :, None, j] < UNSEEN, 1.0, 0.0) / spread
+            told = (gain[..., None, :] @ M)[..., 0, :]
+            both = (gain * told[..., :size]).sum(-1) + live
+            part = h[..., None] * (told[..., :size] - 0.5 * both[..., None] * h)[..., None, :]
+            M[..., :size] -= part + np.swapaxes(part, 2, 3)
+            M[..., size] += h * (missed[k, :, :, j] * live - told[..., size])[..., None]
         row = found.rows[k]
-        force[k] += (row * r).sum(-1)
-        error[k] = row[..., n] - (row * (N @ row[..., None])[..., 0]).sum(-1)
+        told = (row[..., None, :] @ M)[..., 0, :]
+        force[k] += told[..., size]
+        error[k] = row[..., n] - (told[..., :size] * row).sum(-1)
         if k:
             T, _ = stack.step(k - 1)
-            back = np.swapaxes(T, 2, 3)
-            r, N = (back @ r[..., None])[..., 0], back @ N @ T
+            M = np.swapaxes(T, 2, 3) @ M
+            M[..., :size] = M[..., :size] @ T
     return force, np.sqrt(np.maximum(error, 0.0))
 
 
 UNSEEN = 1e200  # variance of what was not measured
-STEPS_TOGETHER = 64  # whose transitions are made at once
+TOGETHER = 64  # points, whose rows and transitions are made at once
 
 
 class _Stack:
@@ -162,22 +160,33 @@ class _Stack:
         kept, added = zip(*(roughness.over(step) for step in steps.T), strict=True)
         self.kept, self.added = np.stack(kept, 1), np.stack(added, 1)
         self.here, self.there = np.swapaxes(here, 2, 3), np.swapaxes(there, 2, 3)  # (k, r, s, n)
-        self._part: tuple[int, Array, Array] = -1, kept[0], kept[0]
+        self._part: tuple[int, Array, Array, Array] = -1, kept[0], kept[0], kept[0]
 
     def seen(self, k: int, j: int) -> Array:
         """Return the row of an output at a point, (records, sites, size)."""
-        records, sites, n, order = self.shape
-        h = np.zeros((records, sites, n + order))
-        h[:, :, :n] = self.to_x[k, :, None, j]
-        h[:, :, n] = self.to_f[k, :, j]
-        return h
+        rows = self._near(k)[3]
+        return np.asarray(rows[k % TOGETHER, j])
 
     def step(self, k: int) -> tuple[Array, Array]:
         """Return transition and added covariance of an interval, (records, sites, size, size)."""
-        part, place = divmod(k, STEPS_TOGETHER)
+        _, steps, added, _ = self._near(k)
+        return steps[k % TOGETHER], added[k % TOGETHER]
+
+    def _near(self, k: int) -> tuple[int, Array, Array, Array]:
+        """Return transitions, added covariances and rows of the outputs about a point."""
+        part = k // TOGETHER
         if part != self._part[0]:
-            self._part = part, *self._steps(slice(part * STEPS_TOGETHER, (part + 1) * STEPS_TOGETHER))
-        return self._part[1][place], self._part[2][place]
+            at = slice(part * TOGETHER, (part + 1) * TOGETHER)
+            self._part = part, *self._steps(at), self._rows(at)
+        return self._part
+
+    def _rows(self, at: slice) -> Array:
+        """Return the rows of the outputs at points, (points, outputs, records, sites, size)."""
+        n, order = self.shape[2:]
+        to_x, to_f = np.swapaxes(self.to_x[at], 1, 2), np.swapaxes(self.to_f[at], 1, 2)
+        rows = np.zeros((*to_f.shape, n + order))
+        rows[..., :n], rows[..., n] = to_x[:, :, :, None], to_f
+        return rows
 
     def _steps(self, at: slice) -> tuple[Array, Array]:
         """Return transitions and added covariances of intervals."""

@@ -114,12 +114,14 @@ class BoundDAE:
         for k, (declared, signal) in enumerate(self.given):
             if isinstance(signal, Sampled):
                 values[:, k] = declared.sign * sampled_at(signal, times, declared.order)
+            elif isinstance(signal, Real):
+                values[:, k] = 0.0 if declared.order else declared.sign * float(signal)
         return values
 
     @cached_property
     def _others(self) -> list[int]:
-        """Places of the inputs that are no records."""
-        return [k for k, (_, signal) in enumerate(self.given) if not isinstance(signal, Sampled)]
+        """Places of the inputs that are neither records nor numbers."""
+        return [k for k, (_, signal) in enumerate(self.given) if not isinstance(signal, Sampled | Real)]
 
     @cached_property
     def _other_inputs(self) -> Batch:

@@ -37,7 +37,8 @@ def test_legs_of_all_signals_go_over_the_whole_run_and_are_as_fine_as_those_of_e
         for own in part:
             inside = [leg for leg in legs if own.begin <= leg.begin and leg.end <= own.end]
             assert sum(leg.end - leg.begin for leg in inside) == pytest.approx(own.end - own.begin)
-            assert all(leg.max_step <= own.max_step for leg in inside)
+            lasting = [leg for leg in inside if leg.begin < leg.end]  # one between two floats has no step
+            assert all(leg.max_step <= own.max_step for leg in lasting)
             assert inside[0].begin == own.begin
             assert inside[0].jumps >= own.jumps
 
