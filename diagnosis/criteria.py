@@ -127,6 +127,7 @@ FAST_NOISE_RATIO = 1.5  # [noise floor] of what is fast in an input, above which
 NOISE_PEAK_STANDARD_DEVIATIONS = 6.0  # [sd] that noise does not exceed, as steps do; theory: 2e-9 of it
 STANDSTILL_RANGE_SHARE = 3e-4  # [range of an input] within which it stands still; data: steps of 12 bits
 END_SHARE = 0.005  # [record] at its ends that is not compared, as a shift would need more of it; data
+LIVELY_RATIO = 10.0  # [mean square of a channel] at its beginning, above which that is compared; data
 STANDSTILL_SECONDS = 0.2  # [s] that a standstill lasts, longer than any reversal; data
 
 # Laws made smooth enough to be run, at scales that no record shows

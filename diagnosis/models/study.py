@@ -28,6 +28,7 @@ from ..criteria import (
     END_SHARE,
     FAST_NOISE_RATIO,
     IMPACT_STEPS_RATIO,
+    LIVELY_RATIO,
     NOISE_PEAK_STANDARD_DEVIATIONS,
     SOLVER_STEPS_PER_SAMPLE,
 )
@@ -241,10 +242,20 @@ def _slowed(experiment: Experiment, driven: Sequence[str], rate: float) -> Exper
 
 
 def at_ends(experiment: Experiment) -> Flags:
-    """Tell which instants are at an end of a record; what was before a start at rest is known."""
+    """Tell which instants are at an end of a record.
+
+    What was before a start at rest is known, and what is let go may be over soon after.
+    """
     count = len(experiment.compared.time)
     few, at = ceil(END_SHARE * count), np.arange(count)
-    return np.asarray((at >= count - few) | (at < (0 if experiment.initial == "rest" else few)))
+    known = experiment.initial == "rest" or _is_let_go(experiment, few)
+    return np.asarray((at >= count - few) | (at < (0 if known else few)))
+
+
+def _is_let_go(experiment: Experiment, few: int) -> bool:
+    """Tell whether a channel is far livelier in its first samples than in all."""
+    channels = [experiment.compared.values[name] for name in experiment.floors]
+    return any(np.mean((x[:few] - x.mean()) ** 2) > LIVELY_RATIO * np.var(x) for x in channels)
 
 
 def quiet(values: Array, smooth: Filter, rate: float) -> Array:

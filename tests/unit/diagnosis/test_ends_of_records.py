@@ -60,3 +60,13 @@ def test_what_was_before_a_start_at_rest_is_known() -> None:
     assert moving.omitted is not None
     assert np.flatnonzero(moving.omitted).tolist() == [*range(10), *range(1990, 2000)]
     assert np.flatnonzero(at_ends(replace(moving, initial="rest"))).tolist() == [*range(1990, 2000)]
+
+
+def test_what_is_let_go_is_compared_from_its_first_sample_on() -> None:
+    """A struck part may come to rest within a two-hundredth of its record."""
+    decay = np.exp(-TIME / 0.02) * np.cos(200 * TIME)
+    record = Record("let go", TIME, {"s": np.sin(TIME), "F": 5.0 * decay})
+    moving = replace(campaign(0.0).training[0], record=record)
+    assert np.flatnonzero(at_ends(moving)).tolist() == [*range(1990, 2000)]
+    steady = replace(record, values={**record.values, "F": np.cos(20 * TIME)})
+    assert np.flatnonzero(at_ends(replace(moving, record=steady)))[0] == 0
