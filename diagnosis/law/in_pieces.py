@@ -77,6 +77,17 @@ class InPieces:
         except InertanceError:
             return []
 
+    def at_spring(self) -> InPieces | None:
+        """Return it with the force at the likeliest spring, where it is sought at none."""
+        sites = {site.path: site for site in self.missing.search.bench.sites}
+        springs = [one.site for one in self.missing.ranking if sites[one.site].spring]
+        if self.missing.site.spring or not springs:
+            return None
+        try:
+            return replace(self, missing=force_of(self.study, self.model, springs[0]))
+        except InertanceError:
+            return None
+
     @property
     def as_drawn(self) -> list[Candidate]:
         """Static effects that are like the law as the force shows it."""

@@ -68,8 +68,12 @@ def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
     """Return the verdict that names an effect of the list which holds in pieces of records.
 
     What is like the force is tried first: it is told in seconds, what is like a law in pieces in minutes.
+    Beside noise the force that a play makes may be likelier at a damper next to it.
     """
     found = _fitted_in_pieces(verdict, inside, inside.in_series)
+    spring = None if found is not None else inside.at_spring()
+    if spring is not None:
+        found = _fitted_in_pieces(verdict, spring, spring.in_series)
     if found is None or not found.explained:
         found = _nearer(found, _fitted_in_pieces(verdict, inside, inside.as_drawn))
         if found is None or not found.explained or found.misfit > LOST_LEAST:

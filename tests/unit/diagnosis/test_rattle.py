@@ -9,6 +9,7 @@ import pytest
 from inertance import rotational
 from inertance.diagnosis import Verdict
 from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.law.in_pieces import InPieces
 from inertance.diagnosis.law.likened import likened_in_series
 from inertance.diagnosis.law.missing_force import force_of
 from inertance.diagnosis.law.pieces import Follower
@@ -92,6 +93,20 @@ def test_the_missing_force_takes_off_the_screw_what_it_bears(study: Study, base:
     assert missing.site.path == "coupling"
     assert missing.misfit < 2.0 < missing.before
     (play,) = (one for one in likened_in_series(missing, base) if one.effect.kind == "backlash")
+    assert play.values["eps"] == pytest.approx(EPS, rel=0.3)
+
+
+def test_play_is_told_at_the_screw_where_the_force_is_sought_at_the_damper_beside_it(
+    study: Study, base: Refit
+) -> None:
+    drawn: Any = None
+    found = InPieces(study, base, force_of(study, base, "brake"), drawn, {})
+    assert found.in_series == []
+    screw = found.at_spring()
+    assert screw is not None
+    assert screw.missing.site.path == "coupling"
+    assert screw.at_spring() is None
+    (play,) = (one for one in likened_in_series(screw.missing, base) if one.effect.kind == "backlash")
     assert play.values["eps"] == pytest.approx(EPS, rel=0.3)
 
 
