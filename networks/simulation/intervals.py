@@ -185,8 +185,8 @@ def _power(a: Bounds, b: Bounds) -> Enclosed:
 
 
 def _extreme(chosen: Callable[[Any, Any], Any]) -> Rule:
-    """Return bounds of the greater or the lesser of two."""
-    return lambda a, b: (chosen(a[0], b[0]), chosen(a[1], b[1]), (a[1] > b[0]) & (b[1] > a[0]))
+    """Return bounds of the greater or the lesser of two, which bends also where they meet at an end."""
+    return lambda a, b: (chosen(a[0], b[0]), chosen(a[1], b[1]), (a[1] >= b[0]) & (b[1] > a[0]))
 
 
 def _copysign(a: Bounds, b: Bounds) -> Enclosed:
@@ -231,7 +231,7 @@ _RULES: dict[int, Rule] = {
     ca.OP_NEG: lambda a: (-a[1], -a[0], False),
     ca.OP_SQ: _even(np.square),
     ca.OP_COSH: _even(np.cosh),
-    ca.OP_FABS: lambda a: (*_size(a), (a[0] < 0) & (a[1] > 0)),
+    ca.OP_FABS: lambda a: (*_size(a), (a[0] < 0) & (a[1] >= 0)),  # bends also where it comes to 0 at an end
     ca.OP_SIN: _wave(np.sin, 0.0),
     ca.OP_COS: _wave(np.cos, np.pi / 2),
     ca.OP_TAN: _tangent,

@@ -23,6 +23,7 @@ MOST_SWITCHES = 4096
 ADJACENT_SHARE = 1e-25
 MISSED_SHARE = 0.02  # a flank between two of nine samples is off by 0.04 at least
 NEGLIGIBLE_SHARE = 1e-7
+NEIGHBOURS, MOVING_RATIO = 64, 4.0  # floats about a switch, and of what moves there a float, that is no jump
 UNSEEN_SHARE = 1e-8  # of a value that samples show at rest: what may hide between them
 EQUAL_SHARE = 1e-9  # of a step within which steps are equal but for rounding
 ROUNDING = 8 * np.finfo(float).eps
@@ -130,10 +131,17 @@ def _legs_between(signals: TimeSignals, starts: Array, ends: Array) -> list[Leg]
 
 
 def _jumps(signals: TimeSignals, before: Array, after: Array) -> list[bool]:
-    """Tell of the start and of each switch whether a signal jumps there, by more than rounding explains."""
-    one, other = (np.nan_to_num(signals(side)) for side in (before, after))
+    """Tell of the start and of each switch whether a signal jumps there.
+
+    That is by more than rounding explains, and by more than it moves about there: a ramp begins from nothing.
+    """
+    far = NEIGHBOURS * (after - before)
+    early, one, other, late = (
+        np.nan_to_num(signals(side)) for side in (before - far, before, after, after + far)
+    )
     size = np.maximum(np.abs(one), np.abs(other)).max(axis=0, initial=0.0)
-    return [False, *(np.abs(other - one) > NEGLIGIBLE_SHARE * size).any(axis=1).tolist()]
+    moving = np.maximum(np.abs(one - early), np.abs(late - other)) * (MOVING_RATIO / NEIGHBOURS)
+    return [False, *(np.abs(other - one) > NEGLIGIBLE_SHARE * size + moving).any(axis=1).tolist()]
 
 
 def _blocks(signals: TimeSignals, starts: Array, ends: Array) -> tuple[Array, Array, Array]:

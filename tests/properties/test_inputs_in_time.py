@@ -135,6 +135,18 @@ def wagon() -> DAE:
 WAGON = wagon()
 
 
+@pytest.mark.parametrize(("middle", "half"), [(2.0, 0.25), (3.5, 0.125), (10.25, 1 / 32), (2.1, 0.25)])
+@pytest.mark.parametrize("solver", ["cvodes", "rosenbrock"])
+def test_no_pulse_of_round_numbers_is_missed(middle: float, half: float, solver: str) -> None:
+    """Its bends are floating-point numbers, at which what is looked at ends."""
+
+    def force(t: Any) -> Any:
+        return ca.fmax(0, 1 - ca.fabs(t - middle) / half) / half
+
+    run = simulate(WAGON, 100.0, inputs={"push.f": force}, solver=solver, rtol=1e-9, atol=1e-11)
+    assert run["mass.v"][-1] == pytest.approx(1.0, abs=1e-6)
+
+
 @settings(max_examples=25, deadline=None)
 @given(
     st.lists(st.tuples(st.floats(0.02, 0.98), st.floats(-4, -2), st.booleans()), min_size=1, max_size=5),
