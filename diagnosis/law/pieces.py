@@ -82,9 +82,12 @@ class Follower:
         return self.missed is None or missed < LOST_LEAST or missed < LOST_GAP_SHARE * self._bare(run)
 
     def _bare(self, run: Beside) -> float:
-        """Return what the model without what is to follow misses of a piece."""
+        """Return what the model without what is to follow, which has states of its own, misses of a piece."""
+        begun = [] if run.begin.start is None else run.begin.start.tolist()
+        known = dict(zip(run.bench.predictor.dae.state_names, begun, strict=bool(begun)))
+        begin = replace(self.without.begin(run.experiment, self.given, known), own=run.begin.own)
         try:
-            return _rms(self.without.run(run.experiment, self.given, run.begin))
+            return _rms(self.without.run(run.experiment, self.given, begin))
         except SimulationError:
             return 0.0
 

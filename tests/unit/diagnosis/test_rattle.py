@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from inertance import rotational
 from inertance.diagnosis import Verdict
+from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.law.in_pieces import InPieces
 from inertance.diagnosis.law.likened import likened_in_series
@@ -108,6 +109,20 @@ def test_play_is_told_at_the_screw_where_the_force_is_sought_at_the_damper_besid
     assert screw.at_spring() is None
     (play,) = (one for one in likened_in_series(screw.missing, base) if one.effect.kind == "backlash")
     assert play.values["eps"] == pytest.approx(EPS, rel=0.3)
+
+
+def test_what_is_in_series_may_have_states_that_the_model_without_it_has_not(
+    study: Study, base: Refit
+) -> None:
+    missing = force_of(study, base)
+    values = {"compliance": 1e-4}
+    soft = Hypothesis(effect_of("compliance"), missing.site, "compliance_1", values)
+    follower = Follower.of(study, missing, missing.by_position, soft, base.parameters)
+    _, part = next(follower.spread(missing.settled.runs[0], 4, 60))
+    run = follower.bench.run(part, base.parameters, follower.bench.begin(part, base.parameters, {}))
+    assert run.begin.start is not None
+    assert len(run.begin.start) > len(follower.states)
+    assert 0.1 < follower._bare(run) < 1e4
 
 
 def test_pieces_in_which_a_run_follows_share_no_instant(verdict: Verdict) -> None:
