@@ -85,11 +85,8 @@ def fitted(directory: Path, law: str, motions: Mapping[str, tuple[float, float]]
     free = [f"step_{n}.{part}" for n in range(1, len(steps) + 1) for part in ("odd", "even")]
     free += [f"wave_{n}.{part}" for n in range(1, len(waves) + 1) for part in "cs"]
     priors = {**joint.PARAMETERS, **dry, **dict.fromkeys(free, FREE)}
-    records = {
-        name: {"file": str(directory / f"{name}.csv"), "window": list(span), "offset": ["position"]}
-        for name, span in (*motions.items(), *joint.TESTED.items())
-    }
-    train, test = ([records[n] for n in names] for names in (motions, set(joint.TESTED) - set(motions)))
+    judging = {} if motions == joint.TESTED else joint.TESTED
+    train, test = (joint.records(directory, some) for some in (motions, judging))
     return fit(Campaign(servo(steps, waves), joint.CHANNELS, priors, train, test), rtol=1e-5)
 
 

@@ -89,15 +89,17 @@ def servo() -> Network:
     return net.connect(net.base.flange, net.damping.flange_a)
 
 
+def records(directory: Path, motions: Mapping[str, tuple[float, float]]) -> list[dict[str, object]]:
+    """Return windows of motions as records of a campaign; the encoder's zero is not known."""
+    return [
+        {"file": str(directory / f"{name}.csv"), "window": list(span), "offset": ["position"]}
+        for name, span in motions.items()
+    ]
+
+
 def campaign(directory: Path) -> Campaign:
-    """Return the motions that are fitted and those that judge; the encoder's zero is not known."""
-    train, test = (
-        [
-            {"file": str(directory / f"{name}.csv"), "window": list(span), "offset": ["position"]}
-            for name, span in motions.items()
-        ]
-        for motions in (FITTED, TESTED)
-    )
+    """Return the motions that are fitted and those that judge."""
+    train, test = (records(directory, motions) for motions in (FITTED, TESTED))
     return Campaign(servo(), channels=CHANNELS, parameters=PARAMETERS, train=train, test=test)
 
 

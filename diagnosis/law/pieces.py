@@ -83,8 +83,8 @@ class Follower:
 
     def _bare(self, run: Beside) -> float:
         """Return what the model without what is to follow, which has states of its own, misses of a piece."""
-        begun = [] if run.begin.start is None else run.begin.start.tolist()
-        known = dict(zip(run.bench.predictor.dae.state_names, begun, strict=bool(begun)))
+        assert run.begin.start is not None  # a piece begins in motion
+        known = dict(zip(run.bench.predictor.dae.state_names, run.begin.start.tolist(), strict=True))
         begin = replace(self.without.begin(run.experiment, self.given, known), own=run.begin.own)
         try:
             return _rms(self.without.run(run.experiment, self.given, begin))

@@ -136,11 +136,12 @@ def _jumps(signals: TimeSignals, before: Array, after: Array) -> list[bool]:
     That is by more than rounding explains, and by more than it moves about there: a ramp begins from nothing.
     """
     far = NEIGHBOURS * (after - before)
-    early, one, other, late = (
-        np.nan_to_num(signals(side)) for side in (before - far, before, after, after + far)
-    )
+    early, one, other, late = (signals(side) for side in (before - far, before, after, after + far))
+    with np.errstate(invalid="ignore"):
+        moved = [np.nan_to_num(np.abs(far - near), posinf=0.0) for near, far in ((one, early), (other, late))]
+    moving = np.maximum(*moved) * (MOVING_RATIO / NEIGHBOURS)
+    one, other = np.nan_to_num(one), np.nan_to_num(other)
     size = np.maximum(np.abs(one), np.abs(other)).max(axis=0, initial=0.0)
-    moving = np.maximum(np.abs(one - early), np.abs(late - other)) * (MOVING_RATIO / NEIGHBOURS)
     return [False, *(np.abs(other - one) > NEGLIGIBLE_SHARE * size + moving).any(axis=1).tolist()]
 
 

@@ -11,16 +11,9 @@ from inertance.base import Array
 from inertance.diagnosis.models.study import at_ends, thinned
 from inertance.identification import Campaign, Record
 
-RATE, NOISE = 250.0, 0.02
-TIME = np.arange(0.0, 8.0, 1 / RATE)
+from .test_standstills import TIME, strut
 
-
-def strut() -> ia.Network:
-    net = ia.Network("strut", frame=ia.Fixed(), cell=ia.ForceSensor(), drive=ia.Position())
-    net.add(spring=ia.Spring(k=2e3), damper=ia.Damper(d=50.0))
-    net.connect(net.frame.flange, net.cell.flange_a)
-    net.connect(net.cell.flange_b, net.spring.flange_a, net.damper.flange_a)
-    return net.connect(net.spring.flange_b, net.damper.flange_b, net.drive.flange)
+NOISE = 0.02
 
 
 def stroke(seed: int, delay: float) -> Record:

@@ -60,68 +60,56 @@ def campaign() -> Campaign:
     )
 
 
+def leaving(residual: Array) -> Refit:
+    """Return a model that leaves so much of the test record."""
+    blocks = stretches(campaign().testing)
+    return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, blocks, len(residual))
+
+
 @pytest.mark.parametrize(
     ("plain", "richer", "worth"), [(2.0, 1.9, False), (2.0, 1.6, True), (1.05, 1.0, True)]
 )
 def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
     plain: float, richer: float, worth: bool
 ) -> None:
-    rng, made = np.random.default_rng(0), campaign()
+    rng = np.random.default_rng(0)
     noise = rng.standard_normal(1001)
     noise /= np.sqrt(np.mean(noise**2))
 
     def fitted(misfit: float) -> Refit:
-        residual = misfit * noise + 0.01 * rng.standard_normal(len(noise))
-        return Refit(
-            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
-        )
+        return leaving(misfit * noise + 0.01 * rng.standard_normal(len(noise)))
 
     assert is_worth_it(fitted(plain), fitted(richer)) is worth
 
 
 @pytest.mark.parametrize(("left", "worth"), [(0.0, True), (2.0, False)])
 def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, worth: bool) -> None:
-    rng, made = np.random.default_rng(0), campaign()
+    rng = np.random.default_rng(0)
     noise = rng.standard_normal(1001)
     noise /= np.sqrt(np.mean(noise**2))
     burst = np.where(np.arange(1001) < 50, 3.0, 0.0)
 
-    def fitted(residual: Array) -> Refit:
-        return Refit(
-            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
-        )
-
-    plain, richer = fitted(noise + burst), fitted(noise + left / 3 * burst)
+    plain, richer = leaving(noise + burst), leaving(noise + left / 3 * burst)
     assert clearness(plain, richer) < 3
     assert is_worth_it(plain, richer) is worth
 
 
 def test_what_generalises_is_not_worth_it_where_noise_was_thought_to_be_larger() -> None:
     """Less than the noise that is told is left without it, so that it takes nothing away."""
-    rng, made = np.random.default_rng(0), campaign()
+    rng = np.random.default_rng(0)
     noise = 0.9 * rng.standard_normal(1001)
-
-    def fitted(residual: Array) -> Refit:
-        return Refit(
-            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
-        )
 
     for share in (0.01, -0.01):
         other = noise + share * rng.standard_normal(1001) - 0.5 * share**2 * noise
-        assert not is_worth_it(fitted(noise), fitted(other))
+        assert not is_worth_it(leaving(noise), leaving(other))
 
 
 def test_what_takes_nearly_all_away_is_worth_it_though_most_stretches_do_not_tell() -> None:
-    rng, made = np.random.default_rng(0), campaign()
+    rng = np.random.default_rng(0)
     noise = rng.standard_normal(1001)
     burst = np.where(np.arange(1001) < 200, 9.0, 0.0)
 
-    def fitted(residual: Array) -> Refit:
-        return Refit(
-            {}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, stretches(made.testing), len(residual)
-        )
-
-    plain, richer = fitted(noise + burst), fitted(1.1 * noise)
+    plain, richer = leaving(noise + burst), leaving(1.1 * noise)
     assert clearness(plain, richer) < 3
     assert is_worth_it(plain, richer)
 
