@@ -67,6 +67,7 @@ START_DROP_RATIO = 1e-3  # [1] of the squared residual that a new start must pro
 TRIED_START_DROP_RATIO = 1.0  # [1] the same on the way of a descent, where a linear answer will do; effort
 FAR_COST_RATIO = 2.0  # [1] of the best known cost, above which a model's starts are not refined; effort
 START_WON_SHARE = 0.1  # [1] of the drop that is asked for, which a step of it wins, or it is the last; effort
+OPENING_SHARE, OPENING_SAMPLES = 0.1, 50  # [record], [1] at least: what tells first where it begins; blind
 START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 
 # Shapes that are screened, and how they follow in a fit
@@ -107,6 +108,7 @@ LEAST_SIZE_RATIO = 0.1  # [1] of the largest quantity of a kind: what a small on
 # What a small change is, by which slopes are judged
 PARAMETER_STEP_RATIO = 1e-6  # [scale] of what an effect's quantities do to parameters; theory: eps to the 1/3
 CHANNEL_STEP_RATIO = 1e-3  # [1] of a size of an effect on a channel; data
+ACTUATOR_BEGIN_STEP = 0.05  # [1] of half of a play, by which it is told how its beginning shows; data
 CHANNEL_PROBE_SHARE = 0.01  # [range of the channel] by which a channel is changed in screening; data
 CLEARANCE_STEP_RATIO = 0.1  # [1] of a clearance: on a smaller scale impacts make runs rough; data
 FMU_STEP_DEVIATIONS = 0.03  # [scale of the prior] of a parameter of an FMU; data
@@ -224,6 +226,8 @@ LAW_PAIR_SHARE = 0.5  # [1] of what a law of one variable leaves that one of two
 LAW_FINER_SHARE = 0.95  # [what free runs miss] below which more points must come to be kept; effort
 LAW_FINER = 4  # [1] rows of a table for each point of a smooth law; data
 LAW_HELD_SHARE = 1e-3  # [1] of what tells a parameter by which it is held while a law is fitted; data
+LAW_PARTS = 1.0, 0.5, 0.25  # [what runs follow] along which, where no step along all does it; effort
+LAW_STEPS = 1.0, 0.5, 0.25, 0.1  # [step] that are tried; effort
 LAW_POLISHES = 20  # [1] runs with a law in the model, along which it is fitted anew; effort
 LAW_STEP_SHARE, LAW_STEP_WITHIN = 0.3, 0.03  # [range of force], [largest speed] of a step at rest; telling
 LAW_EVEN_SHARE = 0.03  # [range of force] by which a law may miss a symmetry; telling

@@ -11,6 +11,7 @@ import numpy as np
 from ...base import Array
 from ...base.checks import demand, instance
 from ...components import Domain, ModelError, nearest
+from ...identification import Prior
 from ...networks import Pieces
 from ..criteria import REVERSAL_SPEED_RATIO
 from .edits import Edit
@@ -104,6 +105,8 @@ class Effect:
             at rest, its force is that of the spring alone.
         change: channel only: (time, signal, values) -> the signal as the channel passes it on.
         drives: channel only: whether it is an actuator, which changes an input, not a sensor.
+        begins: channel only: where it may have stood when a record in motion began, by names that `change`
+            finds among the values where that is known.
         parameters: (name, values) -> the network's parameters, if they are not `name.quantity`.
         step: share of a quantity over which its slopes are differences; 0 for slopes along the run, which
             channels do not have, and which say little of where impacts end up.
@@ -125,6 +128,7 @@ class Effect:
     eased: Callable[[Motion, float, Values], Array] | None = None
     change: Callable[[Array, Array, Values], Array] | None = None
     drives: bool = False
+    begins: Mapping[str, Prior] = field(default_factory=dict)
     parameters: Callable[[Site, str, Values], dict[str, float]] | None = None
     step: float = 0.0
     memory: bool = False

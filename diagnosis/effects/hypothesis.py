@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 import numpy as np
 
 from ...base import Array, rate_unit
 from ...components import signals
-from ...identification import Campaign, Experiment
+from ...identification import Campaign, Experiment, Prior
 from ...networks import Network
 from ..criteria import LEAST_SIZE_RATIO, PARAMETER_STEP_RATIO
 from .edits import AddPart, Edit, edited
@@ -95,6 +96,11 @@ class Hypothesis(SitedEffect):
         return self.effect.edits(self.site, self.name, self.values) if self.effect.edits else []
 
     @property
+    def begins(self) -> dict[str, Prior]:
+        """Where it may have stood when a record in motion began, by full name."""
+        return {f"{self.name}.{name}": prior for name, prior in self.effect.begins.items()}
+
+    @property
     def clocks(self) -> list[str]:
         """The names of clocks that are inserted."""
         return [
@@ -152,8 +158,13 @@ def with_effects(network: Network, effects: Sequence[Hypothesis]) -> Network:
     return edited(network, [edit for placed in effects for edit in placed.edits])
 
 
-def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
-    """Return an experiment with its inputs as the actuators pass them on; itself if none changes any."""
+def driven(
+    experiment: Experiment, effects: Sequence[Hypothesis], begun: Values = MappingProxyType({})
+) -> Experiment:
+    """Return an experiment with its inputs as the actuators pass them on; itself if none changes any.
+
+    What is known of where they had `begun` is by full name.
+    """
     acting = [placed for placed in effects if placed.effect.change and placed.effect.drives]
     if not acting:
         return experiment
@@ -161,7 +172,8 @@ def driven(experiment: Experiment, effects: Sequence[Hypothesis]) -> Experiment:
     elapsed = experiment.elapsed(record.time)
     for placed in acting:
         name = placed.site.path
-        values[name] = acted(placed.effect, experiment, elapsed, values[name], placed.values)
+        stood = {full.rpartition(".")[2]: begun[full] for full in placed.begins if full in begun}
+        values[name] = acted(placed.effect, experiment, elapsed, values[name], {**placed.values, **stood})
     return replace(experiment, record=replace(record, values=values))
 
 
@@ -169,10 +181,10 @@ def acted(effect: Effect, experiment: Experiment, elapsed: Array, signal: Array,
     """Return an input as an actuator passes it on.
 
     What a record in motion cannot tell, how the input moved before it, is taken for the parabola through its
-    first sample and those once and twice as late.
+    first sample and those once and twice as late, unless values tell where the actuator stood.
     """
     assert effect.change is not None
-    if experiment.initial == "rest":
+    if experiment.initial == "rest" or effect.begins.keys() & values.keys():
         return effect.change(elapsed, signal, values)
     count = (len(signal) - 1) // 2
     past = 3 * signal[0] - 3 * signal[1 : count + 1] + signal[2 : 2 * count + 1 : 2]

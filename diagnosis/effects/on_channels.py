@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...base import Array
+from ...identification import Prior
 from .. import criteria
 from .effect import Effect, Quantity, Values, register
 
@@ -66,8 +67,12 @@ def _limited(t: Array, y: Array, p: Values) -> Array:
 
 
 def _played(t: Array, y: Array, p: Values) -> Array:
-    """Return what follows y with play, from the middle of it: it stands still until y has crossed the gap."""
-    width, at, followed = p["width"], float(y[0]), list[float]()
+    """Return what follows y with play: it stands still until y has crossed the gap.
+
+    It begins `ahead` of y by a share of the width, in the middle if that is not told.
+    """
+    width, followed = p["width"], list[float]()
+    at = float(y[0]) + p.get("ahead", 0.0) * width
     for value in y.tolist():
         at = min(max(at, value - width), value + width)
         followed.append(at)
@@ -94,7 +99,7 @@ _on_channel(
 _on_channel("actuator_delay", _late, _DELAY, drives=True)
 _on_channel("actuator_lag", _lagging, Quantity("T", "s"), drives=True)
 _on_channel("actuator_dead_zone", _dead_zone, _WIDTH, drives=True)
-_on_channel("actuator_backlash", _played, _WIDTH, drives=True)
+_on_channel("actuator_backlash", _played, _WIDTH, drives=True, begins={"ahead": Prior(0.0, inf, -1.0, 1.0)})
 _on_channel(
     "actuator_saturation",
     _limited,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -11,7 +12,8 @@ from ...base import Array, Flags
 from ...identification import Experiment, Prediction
 from ..criteria import LOST_GAP_SHARE, LOST_LEAST, LOST_SAMPLES, LOST_SHARE, LOST_STANDARD_DEVIATIONS
 from ..effects.effect import Motion
-from ..effects.hypothesis import Hypothesis, driven, sensed
+from ..effects.hypothesis import Hypothesis, sensed
+from ..models.driven_stand import stand_on
 from ..models.force import Force, push_of
 from ..models.network_predictor import NetworkPredictor
 from ..models.probes import motion_at
@@ -49,7 +51,7 @@ class Bench:
         own = {name: prior.center for name, prior in experiment.unknown.items()}
         if experiment.initial == "rest":
             return Begin(None, own)
-        stand = self.predictor.stand(driven(experiment, self.effects))
+        stand = stand_on(self.predictor.stand, experiment, self.effects)
         rest = stand.rest({**given, **own})
         pairs = zip(stand.state_names, rest.tolist(), strict=True)
         return Begin(np.array([known.get(name, value) for name, value in pairs]), own)
@@ -63,13 +65,14 @@ class Bench:
         force: Force | None = None,
     ) -> Beside:
         """Run a record with a force at a site."""
-        stand = self.predictor.stand(driven(experiment, self.effects), number, force)
+        put = partial(self.predictor.stand, number=number, force=force)
+        stand = stand_on(put, experiment, self.effects)
         found = stand.run({**given, **begin.own}, begin.start, self.accuracy)
         return Beside(self, experiment, given, begin, number, force, found)
 
     def nearest(self, experiment: Experiment, given: Mapping[str, float]) -> Beside:
         """Run a record from where it begins nearest to it."""
-        stand = self.predictor.stand(driven(experiment, self.effects))
+        stand = stand_on(self.predictor.stand, experiment, self.effects)
 
         def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
             values = {**given, **own}

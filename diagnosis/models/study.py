@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from copy import copy
 from dataclasses import dataclass, replace
@@ -19,6 +19,7 @@ from ...identification import (
     Experiment,
     Filter,
     Prediction,
+    Prior,
     RecordModel,
     spectral_floor,
 )
@@ -34,6 +35,7 @@ from ..criteria import (
 )
 from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site, sites_of
+from .driven_stand import DrivenStand
 from .fmu_model import FMUModel
 from .fmu_predictor import FMUPrediction, FMUPredictor, ReplayedStand
 from .network_predictor import NetworkPredictor
@@ -43,7 +45,7 @@ Report = Callable[[str], None]
 
 
 Predictor = NetworkPredictor | FMUPredictor
-Standing = RecordModel | ReplayedStand  # a model on one record
+Standing = RecordModel | ReplayedStand | DrivenStand  # a model on one record
 Predicted = Prediction | FMUPrediction  # outputs in a run, with their slopes in parameters and start values
 
 
@@ -97,11 +99,14 @@ class Study:
         return self.campaign.training, 1.0
 
     def displaced(self, effects: Sequence[Hypothesis]) -> Study:
-        """Return the study of a model with effects, which may rest elsewhere than the model without them.
+        """Return the study of a model with effects, which may begin elsewhere than the model without them.
 
-        Where it does, records that begin at rest begin at states that are estimated.
+        Where it rests elsewhere, records that begin at rest begin at states that are estimated. So is, in
+        records that begin in motion, where actuators stood.
         """
-        return self.unsettled if any(placed.effect.displaces for placed in effects) else self
+        study = self.unsettled if any(placed.effect.displaces for placed in effects) else self
+        begins = {name: prior for placed in effects for name, prior in placed.begins.items()}
+        return replace(study, campaign=begun_with(study.campaign, begins)) if begins else study
 
     @cached_property
     def unsettled(self) -> Study:
@@ -218,6 +223,17 @@ def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
 def begun_anywhere(campaign: Campaign) -> Campaign:
     """Return a campaign in which the states where records begin are estimated."""
     return _each(campaign, lambda e: e if e.initial == "fit" else replace(e, initial="fit"))
+
+
+def begun_with(campaign: Campaign, begins: Mapping[str, Prior]) -> Campaign:
+    """Return a campaign in which records in motion have own values that tell where actuators stood."""
+
+    def changed(experiment: Experiment) -> Experiment:
+        if experiment.initial == "rest":
+            return experiment
+        return replace(experiment, unknown={**experiment.unknown, **begins})
+
+    return _each(campaign, changed)
 
 
 def _each(campaign: Campaign, changed: Callable[[Experiment], Experiment]) -> Campaign:

@@ -13,8 +13,9 @@ from ...base import Array, computing
 from ...components import SimulationError
 from ...identification import Ending, Experiment, Iterate, descent
 from .. import criteria
-from ..effects.hypothesis import Hypothesis, driven, inserted
+from ..effects.hypothesis import Hypothesis, inserted
 from ..effects.shaping import Bounds, Shapes
+from ..models.driven_stand import stand_on
 from ..models.study import Standing, Study
 from .model_comparison import Refit, stretches
 from .own_values import own_values
@@ -82,7 +83,9 @@ class JointFit:
         self.start = self.vector(parameters, [placed.values for placed in self.effects])
         paths = [path for placed in self.effects for path in placed.network_parameters]
         self.predictor = study.predictor(effects, [*self.names, *paths])
-        self.stands = {id(e): self.predictor.stand(e) for e in self.campaign.experiments}
+        self.is_driven = any(placed.effect.drives for placed in self.effects)
+        known = () if self.is_driven else self.campaign.experiments
+        self.stands = {id(e): self.predictor.stand(e) for e in known}
         self.begins: dict[int, _Begin] = {}  # by record, unless all of it is known
         self.starts = {} if near is None else near.starts_of(self.campaign.experiments)
         self.own: dict[int, dict[str, float]] = {}  # by record, the values that it has of its own
@@ -159,7 +162,8 @@ class JointFit:
         count, experiments = len(train), self.campaign.experiments
         cost = sum(float(r @ r) for r in train)
         found = list(map(self._by_channel, experiments, left))
-        own = [self.own.get(id(e), {}) for e in experiments]
+        known = self.campaign.per_record
+        own = [{n: v for n, v in self.own.get(id(e), {}).items() if n in known} for e in experiments]
         starts = [self.starts.get(id(e), {}) for e in experiments]
         prior = self.pull * vector[: len(self.names)]
         judged = self.study.judged
@@ -174,7 +178,6 @@ class JointFit:
         Raises:
             InertanceError: if the model cannot be run as the machine of the record was changed.
         """
-        self.stands[id(experiment)] = self.predictor.stand(experiment)
         return self._by_channel(experiment, self.linearise(self.start, experiment, False)[0])
 
     @computing("a trial of the parameters")
@@ -254,7 +257,7 @@ class JointFit:
         start = self.starts.get(id(experiment), {})
         guess = apart(stand, start, rest, len(experiment.unknown)) if known is None else known.moved
         drop = criteria.START_DROP_RATIO if known is None and not start else drop
-        run, moved = begun(experiment, rest, run_from, guess, drop)
+        run, moved = begun(experiment, rest, run_from, guess, drop, anew=known is None and bool(start))
         if moved is not None and drop is not None:
             self.begins[id(experiment)] = _Begin(moved, run.weighed[1])
             if run.start is not None:
@@ -263,8 +266,8 @@ class JointFit:
 
     def _driven(self, experiment: Experiment, effects: Sequence[Hypothesis]) -> Standing:
         """Return the stand of a record, its inputs as the actuators pass them on."""
-        if any(placed.effect.drives for placed in effects):
-            return self.predictor.stand(driven(experiment, effects))
+        if self.is_driven:
+            return stand_on(self.predictor.stand, experiment, effects)
         return self.stands.get(id(experiment)) or self.predictor.stand(experiment)
 
     def foreseen(self, experiment: Experiment, slopes: bool = True) -> tuple[RecordRun, Array]:

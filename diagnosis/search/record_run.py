@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from ...base import Array
 from ...identification import Experiment
+from ..criteria import OPENING_SAMPLES, OPENING_SHARE
 from ..effects.hypothesis import Hypothesis, sensed
 from ..models.study import Predicted
 from .own_values import missed, weighed
@@ -45,6 +46,15 @@ class RecordRun:
     def reach(self) -> Array:
         """How far each state gets, as of `reach_of`."""
         return reach_of(self.experiment, self.found)
+
+    @property
+    def opening(self) -> RecordRun:
+        """The same run, of which only what comes soon after the start counts."""
+        count = len(self.experiment.compared.time)
+        later = np.arange(count) >= max(OPENING_SAMPLES, OPENING_SHARE * count)
+        omitted = self.experiment.omitted
+        early = replace(self.experiment, omitted=later if omitted is None else omitted | later)
+        return replace(self, experiment=early)
 
     @cached_property
     def missed(self) -> Array:

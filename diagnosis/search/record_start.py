@@ -28,6 +28,7 @@ class Weighed(Protocol):
         missed: the weighted residual.
         weighed: the same, and the slopes of the prediction, the unknowns first, then those of offsets.
         reach: how far each state gets, as of `reach_of`.
+        opening: the same run, of which only what comes soon after the start counts.
     """
 
     @cached_property
@@ -38,6 +39,9 @@ class Weighed(Protocol):
 
     @property
     def reach(self) -> Array: ...
+
+    @property
+    def opening(self) -> Weighed: ...
 
 
 Run = TypeVar("Run", bound=Weighed)
@@ -85,6 +89,7 @@ def begun(
     run_from: Callable[[Array | None, Mapping[str, float]], Run],
     known: Array | None = None,
     drop: float | None = START_DROP_RATIO,
+    anew: bool = False,
 ) -> tuple[Run, Array | None]:
     """Return the run of a record from its start with its own values, and how far both are from the guess.
 
@@ -95,6 +100,9 @@ def begun(
         known: how far a record of the same model was found to be from the guess.
         drop: share of the squared residual that another start must promise to be looked for; None if what is
             known shall do.
+        anew: whether what is known is of a model that lacks an effect. What comes soon after the start then
+            tells first where that is, as no small step may miss less of all of a record from where what
+            slides first slides the other way. A model that is wrong tells little by it.
     """
     at_rest, count = experiment.initial == "rest", len(experiment.unknown)
     if at_rest and not count:
@@ -105,14 +113,14 @@ def begun(
         return run_from(*parted(experiment, begin)), known
     bounds = np.tile([[-np.inf], [np.inf]], len(guess))
     bounds[:, len(guess) - count :] = np.reshape([p.range for p in experiment.unknown.values()], (-1, 2)).T
-    least = START_DROP_RATIO if drop is None else drop
-    begin, run = settled(
-        begin,
-        lambda at: run_from(*parted(experiment, at)),
-        bounds,
-        least,
-        None if at_rest else guess,
-    )
+    least, near = START_DROP_RATIO if drop is None else drop, None if at_rest else guess
+
+    def run_at(begin: Array) -> Run:
+        return run_from(*parted(experiment, begin))
+
+    if anew:
+        begin, _ = settled(begin, lambda at: run_at(at).opening, bounds, least, near)
+    begin, run = settled(begin, run_at, bounds, least, near)
     return run, begin - guess
 
 

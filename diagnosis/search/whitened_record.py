@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,8 +13,9 @@ from ...base import Array
 from ...identification import Experiment
 from ..criteria import DEPENDENT_EIGENVALUE_RATIO, START_SINGULAR_VALUE_RATIO
 from ..effects.effect import Effect, Motion, Values
-from ..effects.hypothesis import Hypothesis, acted, driven
+from ..effects.hypothesis import Hypothesis, acted
 from ..effects.sites import Site
+from ..models.driven_stand import stand_on
 from ..models.force import Force, push_of
 from ..models.network_predictor import NetworkPredictor
 from ..models.study import Predictor, Study
@@ -63,12 +65,12 @@ class WhitenedRecord:
         self._channels = study.campaign.measured
         self.weights = weights = {name: count**0.5 * one for name, one in experiment.weights.items()}
         self._predictor, self._experiment = predictor, experiment
-        given = driven(experiment, effects)
         if forced is None:
-            self._stand: Any = predictor.stand(given)
+            self._stand: Any = stand_on(predictor.stand, experiment, effects)
         else:
             assert isinstance(predictor, NetworkPredictor)
-            self._stand = predictor.stand(given, forced[0], forced[1].force)
+            put = partial(predictor.stand, number=forced[0], force=forced[1].force)
+            self._stand = stand_on(put, experiment, effects)
         self.measured = experiment.compared
         accuracy = study.accuracy_with(effects)
 

@@ -22,6 +22,7 @@ CLOSE = 1e-4  # change of a size that is none
 REFITS = 4  # steps of parameters, whose answer bends
 HELD = 0.3  # of a gap by slopes, that those must leave
 LARGEST = {"sensor_gain": 0.4, "sensor_delay": 0.04, "actuator_delay": 0.04, "actuator_lag": 0.1}  # 1, s
+ELSEWHERE = ("arm_gravity",)  # linear, too, and may be thought to act on what moves alike
 LINEAR = ("constant_force", "added_inertia", "sensor_delay", "sensor_bias", "sensor_gain", "actuator_delay")
 
 
@@ -52,19 +53,27 @@ class Bench(Scale):
     def alike(self, effect: Effect, size: float, offers: Sequence[Offer]) -> list[tuple[str, str]]:
         """Return kinds and sites whose effect on the records is that of `effect`, to less than APART."""
         change = self._left([(effect, size)])
+        motions = self.rig.motions.items() if effect.kind in ELSEWHERE else ()
+        elsewhere: list[Offer] = [(effect.kind, place, motion.sites) for place, motion in motions]
         rivals = [
             offer
-            for offer in offers
+            for offer in [*offers, *elsewhere]
             if offer[:2] != (effect.kind, effect.place)
-            and (offer[0] in LINEAR or (offer[0], offer[1]) == ("coulomb_friction", effect.place))
+            and (
+                offer[0] in LINEAR
+                or (offer[0], offer[1]) == ("coulomb_friction", effect.place)
+                or offer in elsewhere
+            )
         ]
-        found = [offer for offer in rivals if self._is(offer[0], offer[1], change)]
+        found = [offer for offer in rivals if self._is(offer, effect, change)]
         return [(kind, site) for kind, _, sites in found for site in sites]
 
-    def _is(self, kind: str, place: str, change: Array) -> bool:
-        """Return whether some size of a kind at a place makes a change of the records."""
+    def _is(self, offer: Offer, effect: Effect, change: Array) -> bool:
+        """Return whether some size of a kind at a place makes a change, that of an effect, of the records."""
+        kind, place, _ = offer
+        shape = effect.shape if kind == effect.kind else {}
         for sign in (1.0, -1.0):
-            other = Effect(kind, place, (), {"sign": sign, "filtered": 0.0})
+            other = Effect(kind, place, (), {**shape, "sign": sign, "filtered": 0.0})
             size = self._guess(other)
             for _ in range(SCALED):
                 trial = self._left([(other, size)])

@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 from inertance.diagnosis.effects.effect import EFFECTS, effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.effects.sites import Site
 from inertance.diagnosis.models.study import Study, study_of, thinned
 from inertance.diagnosis.search.joint_fit import JointFit
-from inertance.diagnosis.search.record_start import settled
+from inertance.diagnosis.search.record_start import begun, settled
 from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
 
 CHANNELS = {"F": {"input": "push.f", "unit": "N"}, "x": {"output": "carriage.s", "unit": "m"}}
@@ -140,3 +141,61 @@ def test_a_decay_begins_where_it_does_however_little_the_force_channel_holds(car
     assert found.misfit == pytest.approx(1.0, abs=0.1)
     begins = [start["carriage.s"] for start in found.starts]
     assert begins == pytest.approx([-5e-3, 4e-3], rel=0.01)
+
+
+def lagging(command: np.ndarray, width: float, ahead: float) -> np.ndarray:
+    """Return what follows a command with play, as `actuator_backlash` says, from a share of it ahead."""
+    at, followed = float(command[0]) + ahead * width, list[float]()
+    for value in command.tolist():
+        at = min(max(at, value - width), value + width)
+        followed.append(at)
+    return np.array(followed)
+
+
+@pytest.mark.parametrize("ahead", [(1.0, 1.0, 1.0), (-1.0, 1.0, -0.4), (0.3, -0.7, 0.0)])
+@pytest.mark.parametrize("began", [0.0, 40.0])
+def test_an_actuator_with_play_stood_anywhere_when_a_record_in_motion_began(
+    cart: Any, ahead: tuple[float, ...], began: float
+) -> None:
+    """Taken for the middle, or for where the command seems to come from, the width would be wrong."""
+    width, time, records = 6.0, np.arange(0.0, 4.0, 1 / 250.0), list[Record]()
+    for seed, share in enumerate(ahead):
+        rng = np.random.default_rng(seed)
+        tones = zip((0.3, 0.8, 1.9), rng.uniform(0, 2 * np.pi, 3), strict=True)
+        command = 7.0 * np.sum([np.sin(2 * np.pi * f * time + phase) for f, phase in tones], axis=0)
+        truth = cart.rig(k=820.0)
+        truth.carriage.s, truth.carriage.v = 4e-3, -0.05
+        driven = ia.Sampled(time, lagging(command, width, share))
+        run = truth.simulate(
+            4.0 - 1 / 250.0, step=1 / 250.0, inputs={"push.f": driven}, rtol=1e-9, atol=1e-12
+        )
+        here = np.searchsorted(run.time, time + 1e-6, side="right") - 1
+        seen = run["carriage.s"][here] + 1e-5 * rng.standard_normal(len(time))
+        records.append(Record(f"run {seed}", time + began, {"F": command, "x": seen}))
+    given = study(cart, records, "fit")
+    site = Site("F", "channel", "push.f", "", frozenset({"channel"}))
+    play = Hypothesis(effect_of("actuator_backlash"), site, "actuator_backlash_1", {"width": 4.0})
+    found = JointFit(given, given.campaign.start, [play]).fitted()
+    assert found.effects[0].values["width"] == pytest.approx(width, rel=5e-3)
+    assert found.misfit == pytest.approx(1.0, abs=0.1)
+    assert found.parameters["spring.k"] == pytest.approx(820.0, rel=2e-3)
+    assert found.own == [{}, {}, {}]  # which no record has of a parameter
+
+
+@pytest.mark.parametrize("opened", [True, False])
+def test_what_comes_soon_after_the_start_tells_first_where_a_record_begins(opened: bool) -> None:
+    """From where what slides first slides the other way, no small step misses less of all of a record."""
+    time = np.linspace(0.0, 1.0, 200)
+
+    def run_from(start: np.ndarray | None, own: object) -> Any:
+        assert start is not None
+        late, slopes = time > 0.1, np.ones((200, 1))
+        missed = 1.0 - start[0] - np.where(late & (start[0] < -2.0), 4.2, 0.0)
+        whole = {"missed": missed, "weighed": (missed, slopes), "reach": np.ones(1)}
+        short = {"missed": missed[~late], "weighed": (missed[~late], slopes[~late]), "reach": np.ones(1)}
+        return SimpleNamespace(**whole, opening=SimpleNamespace(**(short if opened else whole)))
+
+    experiment: Any = SimpleNamespace(initial="fit", unknown={}, offset=())
+    _, moved = begun(experiment, lambda: np.array([-3.0]), run_from, np.zeros(1), anew=True)
+    assert moved is not None
+    assert moved[0] - 3.0 == pytest.approx(1.0 if opened else -2.8, abs=0.05)

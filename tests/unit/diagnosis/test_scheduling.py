@@ -343,9 +343,9 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> list[float | None]:
     """How closely it was asked each time where a record begins."""
     drops, begin = list[float | None](), record_start.begun
 
-    def begun(experiment: Any, rest: Any, run_from: Any, known: Any, drop: float | None) -> Any:
+    def begun(experiment: Any, rest: Any, run_from: Any, known: Any, drop: float | None, anew: bool) -> Any:
         drops.append(drop)
-        return begin(experiment, rest, run_from, known, drop)
+        return begin(experiment, rest, run_from, known, drop, anew)
 
     monkeypatch.setattr(joint_fit, "begun", begun)
     return drops
