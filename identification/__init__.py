@@ -39,12 +39,12 @@ from .records.excitation import sampled as sampled
 from .records.filters import Filter as Filter
 from .records.noise import NoiseFloor as NoiseFloor
 from .records.noise import is_noise as is_noise
-from .records.noise import residual_floor as residual_floor
 from .records.noise import spectral_floor as spectral_floor
 from .records.reading import read_record as read_record
 from .records.record import Channel as Channel
 from .records.record import Record as Record
 from .records.uncovered_noise import Heard as Heard
+from .records.uncovered_noise import filtered_floors as filtered_floors
 from .records.uncovered_noise import uncovered_floors as uncovered_floors
 
 __all__ = [

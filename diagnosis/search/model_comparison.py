@@ -13,9 +13,8 @@ from ...identification import (
     Campaign,
     Experiment,
     Heard,
-    NoiseFloor,
+    filtered_floors,
     is_noise,
-    residual_floor,
     uncovered_floors,
 )
 from ..criteria import (
@@ -167,12 +166,8 @@ def with_residual_floors(campaign: Campaign, model: Refit) -> Campaign:
     floors = [dict(experiment.floors) for experiment in campaign.experiments]
     for name in campaign.outputs:
         heard = _heard(campaign, model, name)
-        uncovered: Sequence[NoiseFloor | None] = uncovered_floors(heard) or [None] * len(heard)
-        for one, floor, own in zip(heard, floors, uncovered, strict=True):
-            if own is not None:
-                floor[name] = own
-            elif one.floor.is_filtered:
-                floor[name] = residual_floor(one.residual, one.rate, one.floor)
+        for floor, own in zip(floors, uncovered_floors(heard) or filtered_floors(heard), strict=True):
+            floor[name] = own
     return campaign if floors == [e.floors for e in campaign.experiments] else campaign.with_floors(floors)
 
 

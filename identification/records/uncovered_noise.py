@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from .noise import (
     NoiseFloor,
     density_of,
     is_steady,
+    residual_floor,
     smoothed,
 )
 
@@ -83,6 +85,21 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     sigmas = [max(powers.get(record, mean) ** 0.5, record.floor.sigma) for record in records]
     highest = float(np.mean([0.5 * record.rate * share[1] for record, share in shares.items()]))
     return [NoiseFloor(sigma, LEFT_BY_FIT, highest) for sigma in sigmas]
+
+
+def filtered_floors(records: Sequence[Heard]) -> list[NoiseFloor]:
+    """Return the noise of a channel in each record: what a model leaves, if a filter leaves nothing fast.
+
+    A filter that shows in one record is that of the channel: in others it may hide behind the steps of the
+    sensor.
+    """
+    band = max((record.floor.band for record in records if record.floor.is_filtered), default=inf)
+    return [
+        residual_floor(record.residual, record.rate, replace(record.floor, band=min(record.floor.band, band)))
+        if band < inf and record.floor.source in (SPECTRUM, SENSOR_STEPS)
+        else record.floor
+        for record in records
+    ]
 
 
 def _is_heard(record: Heard) -> bool:

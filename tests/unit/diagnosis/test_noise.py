@@ -17,11 +17,12 @@ from inertance.identification import (
     Heard,
     NoiseFloor,
     Record,
+    filtered_floors,
     is_noise,
-    residual_floor,
     spectral_floor,
     uncovered_floors,
 )
+from inertance.identification.records.noise import residual_floor
 from scipy.signal import lfilter
 
 CHANNELS = {
@@ -291,3 +292,23 @@ def test_what_repeats_tell_of_filtered_records_stays(cart: Any, tmp_path: Path) 
         ia.fit(each).to_json(tmp_path / "fit.json")
         told = json.loads((tmp_path / "fit.json").read_text(), parse_constant=pytest.fail)
         assert told["noise"]["x"]["band"] == band
+
+
+@pytest.mark.parametrize("steps", [2e-6, 1e-4])
+def test_a_filter_that_shows_in_one_record_is_that_of_the_channel(steps: float) -> None:
+    """Steps of the sensor hide it where a machine moves little, and noise was thought 100 times too small."""
+    rng, heard = np.random.default_rng(5), list[Heard]()
+    for size in (1.0, 0.02):
+        noise = Filter(cutoff=50.0).apply(100 * NOISE * rng.standard_normal(8000), RATE)
+        time = np.arange(8000) / RATE
+        measured = steps * np.round((size * np.sin(2 * np.pi * 3.0 * time) + noise) / steps)
+        heard.append(Heard(noise, measured, [], spectral_floor(measured, RATE), RATE))
+    assert [one.floor.is_filtered for one in heard] == [steps < 1e-5, False]
+    floors = filtered_floors(heard)
+    if steps < 1e-5:
+        told = [floor.sigma / one.residual.std() for floor, one in zip(floors, heard, strict=True)]
+        assert told == pytest.approx([1.0, 1.0], rel=0.15)
+        assert not any(floor.is_sure for floor in floors)
+        assert all(one.floor.sigma < 0.05 * one.residual.std() for one in heard)
+    else:
+        assert floors == [one.floor for one in heard]
