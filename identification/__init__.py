@@ -39,6 +39,7 @@ from .records.excitation import sampled as sampled
 from .records.filters import Filter as Filter
 from .records.noise import NoiseFloor as NoiseFloor
 from .records.noise import is_noise as is_noise
+from .records.noise import residual_floor as residual_floor
 from .records.noise import spectral_floor as spectral_floor
 from .records.reading import read_record as read_record
 from .records.record import Channel as Channel

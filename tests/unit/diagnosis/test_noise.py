@@ -19,10 +19,10 @@ from inertance.identification import (
     Record,
     filtered_floors,
     is_noise,
+    residual_floor,
     spectral_floor,
     uncovered_floors,
 )
-from inertance.identification.records.noise import residual_floor
 from scipy.signal import lfilter
 
 CHANNELS = {
