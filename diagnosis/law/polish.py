@@ -132,7 +132,12 @@ def _nearer(study: Study, law: Law, here: Trial) -> tuple[Trial, float]:
     for part in LAW_PARTS:
         followed = [round(part * count) for count in here.followed]
         before = here.until(followed)
-        step = _step(study, law, before)
+        try:
+            step = _step(study, law, before)
+        except np.linalg.LinAlgError:
+            if part == 1:
+                raise
+            break  # as so few samples tell too little of it
         for share in LAW_STEPS:
             try:
                 there = step(share)
