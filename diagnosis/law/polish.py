@@ -9,14 +9,7 @@ import numpy as np
 
 from ...base import Array, computing
 from ...components import SimulationError
-from ..criteria import (
-    FORCE_LAW_STIFFNESS,
-    LAW_HELD_SHARE,
-    LAW_PARTS,
-    LAW_POLISHES,
-    LAW_STEPS,
-    START_DROP_RATIO,
-)
+from ..criteria import FORCE_LAW_STIFFNESS, LAW_HELD_SHARE, LAW_POLISHES, START_DROP_RATIO
 from ..effects.edits import Edit, between
 from ..effects.effect import Effect, Values
 from ..effects.hypothesis import Hypothesis
@@ -114,39 +107,25 @@ def first_trial(study: Study, law: Law) -> Trial:
 def _polished(study: Study, law: Law) -> Polished:
     first, here = law.runs[0].bench, first_trial(study, law)
     for _ in range(LAW_POLISHES):
-        there, drop = _nearer(study, law, here)
-        farther = sum(there.followed) > sum(here.followed)
-        here = there
+        followed = here.followed
+        before = here.until(followed)
+        step = _step(study, law, before)
+        for share in (1.0, 0.5, 0.25, 0.1):
+            try:
+                there = step(share)
+            except SimulationError:
+                continue
+            if there.until(followed).squares < before.squares:
+                break
+        else:
+            break
+        drop = 1 - there.until(followed).squares / before.squares
+        here, farther = there, sum(there.followed) > sum(followed)
         if drop < START_DROP_RATIO and not farther:
             break
     found = replace(law, values=here.values, fit=replace(law.fit, moved=_moved(study, here.given)))
     joint = JointFit(study, here.given, [*first.effects, placed(found)])
     return Polished(found, joint.seen(joint.start), _changing(found, here), here.left)
-
-
-def _nearer(study: Study, law: Law, here: Trial) -> tuple[Trial, float]:
-    """Return a trial that misses less of what runs follow, and by which share; the same one if there is none.
-
-    Where runs soon part, what is best along all that they follow may lead nowhere, and the first of it on.
-    """
-    for part in LAW_PARTS:
-        followed = [round(part * count) for count in here.followed]
-        before = here.until(followed)
-        try:
-            step = _step(study, law, before)
-        except np.linalg.LinAlgError:
-            if part == 1:
-                raise
-            break  # as so few samples tell too little of it
-        for share in LAW_STEPS:
-            try:
-                there = step(share)
-            except SimulationError:
-                continue
-            drop = 1 - there.until(followed).squares / before.squares
-            if drop > 0 and (part == 1 or sum(there.followed) > sum(here.followed)):
-                return there, drop
-    return here, 0.0
 
 
 def _moved(study: Study, given: Mapping[str, float]) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cache, cached_property
+from functools import cache
 from typing import Any, TypeVar
 
 import numpy as np
@@ -28,7 +28,7 @@ class DrivenPrediction(Prediction):
 
     moved: Callable[[], dict[str, Array]]
 
-    @cached_property
+    @property
     def own_slopes(self) -> dict[str, Array]:
         """d(channel)/d(own values of the record, where actuators stood), (instants, values)."""
         own, moved = super().own_slopes, self.moved()
