@@ -57,7 +57,11 @@ class DrivenStand:
             return found
 
         self._begun = cache(begun)
-        self.state_names = self._begun((0.0,) * len(self._names)).state_names
+
+    @property
+    def state_names(self) -> list[str]:
+        """The network's states, wherever actuators stood."""
+        return self._begun(self._parted({})[1]).state_names
 
     def rest(self, parameters: Mapping[str, float]) -> Array:
         """Return the model's start values, as of a `RecordModel`."""
