@@ -208,6 +208,7 @@ WINDOW_SHARE_TOLD = 0.01  # [1] of what is left below which a stretch is not tol
 FORCE_SIZE_RATIO = 10.0  # [size that would explain what is missed] that a force may have; effort: it is free
 FORCE_TIMES_AT_FIRST, FORCE_TIMES = 6, 12  # [1] tried for how fast a force changes; effort
 FORCE_EVERY = 4  # [1] measurement by which that is told, of so many; effort
+FORCE_SAMPLES = 4000  # [1] of all records by which that is told where they are long; effort
 FORCE_RUNS, FORCE_MOST_RUNS = 6, 15  # [1] with the force so far, along which it is sought anew; effort
 FORCE_WON_SHARE = 0.7  # [what a run missed] that more of them must come below each; effort
 FORCE_HALVINGS = 4  # [1] of a force that a run cannot take; effort

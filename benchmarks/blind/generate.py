@@ -1,6 +1,6 @@
 """Make the cases of the blind benchmark; the library is not imported here.
 
-python benchmarks/blind/generate.py FOLDER [--generation 1] [--cases 240] [--seed 1] [--jobs 2]
+python benchmarks/blind/generate.py FOLDER [--generation 1] [--cases 240] [--seed 1] [--jobs 2] [--only GROUP]
 
 FOLDER/cases/0001/ holds campaign.toml, model.py and the records, without a hint of what is wrong;
 FOLDER/sealed.json the hash of every label; FOLDER/labels/ the labels, for the scorer alone.
@@ -36,23 +36,23 @@ GENERATIONS: dict[int, tuple[Any, Any, int]] = {
 }
 
 
-def generate(folder: Path, count: int, seed: int = SCORED, jobs: int = 2, generation: int = 1) -> None:
-    """Make a set of cases and seal its labels; cases that are there already are kept."""
-    wanted = GENERATIONS[generation][0](count, seed)
-    names = [f"{number + 1:04d}" for number in range(count)]
+def generate(
+    folder: Path, count: int, seed: int = SCORED, jobs: int = 2, generation: int = 1, only: str = ""
+) -> None:
+    """Make a set of cases, or `only` those of a group of it, and seal its labels; what is there is kept."""
+    drafts = enumerate(GENERATIONS[generation][0](count, seed), start=1)
+    chosen = {f"{number:04d}": draft for number, draft in drafts if only in ("", draft.verdict)}
+    if not chosen:
+        sys.exit(f"no case of these {count} is of the group '{only}'")
     parts = folder / "labels" / "parts"
     parts.mkdir(parents=True, exist_ok=True)
-    missing = [
-        (generation, d, folder, n)
-        for d, n in zip(wanted, names, strict=True)
-        if not (parts / f"{n}.json").exists()
-    ]
+    missing = [(generation, d, folder, n) for n, d in chosen.items() if not (parts / f"{n}.json").exists()]
     with ProcessPoolExecutor(jobs) as pool:
         for done, name in enumerate(pool.map(_made, missing), start=1):
             print(f"\r{done}/{len(missing)} cases made ({name})", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
-    labels = {name: json.loads((parts / f"{name}.json").read_text()) for name in names}
-    salts = {name: _salt(draft.seed) for draft, name in zip(wanted, names, strict=True)}
+    labels = {name: json.loads((parts / f"{name}.json").read_text()) for name in chosen}
+    salts = {name: _salt(draft.seed) for name, draft in chosen.items()}
     seal(folder, labels, salts, reopen=seed == CALIBRATION)
 
 
@@ -74,9 +74,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--cases", type=int, help="240, 300, 60 or 30 by generation, if not given")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", default="", help="a group of cases alone: effect, pair, none, ...")
     given = parser.parse_args(arguments)
     count = given.cases or GENERATIONS[given.generation][2]
-    generate(given.folder, count, given.seed, given.jobs, given.generation)
+    generate(given.folder, count, given.seed, given.jobs, given.generation, given.only)
 
 
 if __name__ == "__main__":

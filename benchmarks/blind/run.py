@@ -1,7 +1,7 @@
 """Generate the blind cases, diagnose each in a process of its own, open the labels, print the table.
 
-python benchmarks/blind/run.py [--generation 2] [--folder DIR] [--cases N | --sample N] [--seed 1] [--jobs 2]
-                               [--cores 1] [--baselines] [--gate]
+python benchmarks/blind/run.py [--generation 2] [--folder DIR] [--cases N | --sample N] [--seed 1]
+                               [--only GROUP] [--jobs 2] [--cores 1] [--baselines] [--gate]
 
 What is there already is kept, so a run that was broken off goes on where it stopped. With --gate the exit
 code is 1 if a sample of this size, which tells no share well, says that something is broken.
@@ -55,6 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--cases", type=int, help="240, 300, 60 or 30 by generation, if not given")
     parser.add_argument("--sample", type=int, help="only so many cases; any first 24, 30 or 12 are balanced")
     parser.add_argument("--seed", type=int, default=SCORED, help=f"{CALIBRATION} is the calibration set")
+    parser.add_argument("--only", default="", help="a group of these cases alone: effect, pair, none, ...")
     parser.add_argument("--jobs", type=int, default=2, help="cases at a time")
     parser.add_argument("--cores", type=int, default=1, help="processes of each diagnosis")
     parser.add_argument("--baselines", action="store_true", help="run the baselines, too")
@@ -62,7 +63,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     given = parser.parse_args(arguments)
     count = given.sample or given.cases or GENERATIONS[given.generation][2]
     folder = given.folder or Path(f"{NAMES[given.generation]}_{given.seed}_{count}")
-    generate(folder, count, given.seed, given.jobs, given.generation)
+    generate(folder, count, given.seed, given.jobs, given.generation, given.only)
     cases = sorted(path for path in (folder / "cases").iterdir() if path.is_dir())
     with ThreadPoolExecutor(given.jobs) as pool:
         for done, name in enumerate(pool.map(partial(diagnose, cores=given.cores), cases), start=1):

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ...base import Array
-from ..criteria import FORCE_EVERY, FORCE_SIZE_RATIO, FORCE_TIMES, FORCE_TIMES_AT_FIRST
+from ..criteria import FORCE_EVERY, FORCE_SAMPLES, FORCE_SIZE_RATIO, FORCE_TIMES, FORCE_TIMES_AT_FIRST
 from .course import Course, Roughness
 from .smoother import filtered
 
@@ -18,11 +18,13 @@ FORGETS_AFTER = {1: 2 * FORCE_SIZE_RATIO**2, 2: (4 / 3 * 3**1.5 * FORCE_SIZE_RAT
 def likeliest(courses: Sequence[Course], sizes: Array, orders: Sequence[int] = (1, 2)) -> list[Roughness]:
     """Return, by order, how fast a force at each site most likely changes, for `sizes` that it may have.
 
-    One measurement in `FORCE_EVERY` will do to tell that, and all that are tried go side by side.
+    One measurement in `FORCE_EVERY` will do to tell that, or `FORCE_SAMPLES` of long records, and all that
+    are tried go side by side.
     """
     step = float(np.median(np.diff(courses[0].t)))
     longest = max(float(np.ptp(course.t)) for course in courses)
-    coarse = [course.coarser(FORCE_EVERY) for course in courses]
+    every = max(FORCE_EVERY, sum(len(course.t) for course in courses) // FORCE_SAMPLES)
+    coarse = [course.coarser(every) for course in courses]
     return [_likeliest(coarse, sizes, order, np.log([step, longest])) for order in orders]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -106,26 +107,33 @@ def first_trial(study: Study, law: Law) -> Trial:
 
 def _polished(study: Study, law: Law) -> Polished:
     first, here = law.runs[0].bench, first_trial(study, law)
-    for _ in range(LAW_POLISHES):
+    whole = [len(run.found.time) for run in here.runs]
+    for number in range(LAW_POLISHES):
         followed = here.followed
-        before = here.until(followed)
-        step = _step(study, law, before)
-        for share in (1.0, 0.5, 0.25, 0.1):
-            try:
-                there = step(share)
-            except SimulationError:
-                continue
-            if there.until(followed).squares < before.squares:
-                break
-        else:
+        there = _stepped(study, law, here, followed)
+        if there is None and not number:
+            there = _stepped(study, law, here, whole)
+        if there is None:
             break
-        drop = 1 - there.until(followed).squares / before.squares
+        drop = 1 - there.until(followed).squares / here.until(followed).squares
         here, farther = there, sum(there.followed) > sum(followed)
         if drop < START_DROP_RATIO and not farther:
             break
     found = replace(law, values=here.values, fit=replace(law.fit, moved=_moved(study, here.given)))
     joint = JointFit(study, here.given, [*first.effects, placed(found)])
     return Polished(found, joint.seen(joint.start), _changing(found, here), here.left)
+
+
+def _stepped(study: Study, law: Law, here: Trial, until: Sequence[int]) -> Trial | None:
+    """Return a better trial along runs that count until a sample each; None if no share of the step is."""
+    before = here.until(until)
+    step = _step(study, law, before)
+    for share in (1.0, 0.5, 0.25, 0.1):
+        with suppress(SimulationError):
+            there = step(share)
+            if there.until(until).squares < before.squares:
+                return there
+    return None
 
 
 def _moved(study: Study, given: Mapping[str, float]) -> Array:

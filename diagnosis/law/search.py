@@ -126,11 +126,11 @@ class Search:
     def movable(self) -> tuple[list[int], Array]:
         """Return the sites at which a force changes what is measured, and how large it has to be."""
         numbers = range(len(self.bench.sites))
-        sizes = np.array([self._size(number) for number in numbers])
+        missed = sum(float((beside.columns(True)[0][:, :, 0] ** 2).sum()) for beside in self.nominal)
+        sizes = np.array([self._size(number, missed) for number in numbers])
         return [n for n in numbers if sizes[n] > 0], sizes[sizes > 0]
 
-    def _size(self, number: int) -> float:
-        missed = sum(float((beside.columns(True)[0][:, :, 0] ** 2).sum()) for beside in self.nominal)
+    def _size(self, number: int, missed: float) -> float:
         motions = [beside.motion(number) for beside in self.nominal]
         scale = np.array([max(m.travel for m in motions), max(m.speed for m in motions)])
         if not scale.all():

@@ -72,7 +72,7 @@ def campaign(true: ia.Network) -> Campaign:
 @pytest.fixture(scope="module")
 def study() -> Study:
     """Return the study of a block that moves from valley to valley."""
-    return Study(campaign(slide(950.0, held=True)), Accuracy())
+    return Study(campaign(slide(950.0, held=True)), Accuracy(foreseen=10**6))
 
 
 @pytest.fixture(scope="module")
@@ -162,7 +162,7 @@ def test_parts_are_taken_of_a_record_that_would_fall_into_many_pieces(
 
 def test_the_force_is_found_beside_parameters_far_from_where_they_were_given() -> None:
     """A block that stays in one valley seems to be on a far stiffer spring, neared step by step."""
-    stiff = Study(campaign(slide(7900.0)), Accuracy())
+    stiff = Study(campaign(slide(7900.0)), Accuracy(foreseen=10**6))
     given = JointFit(stiff, stiff.campaign.start)
     missing = force_of(stiff, given.seen(given.start))
     assert missing.misfit < 1.1 < 10 < missing.before
@@ -211,7 +211,7 @@ def test_windows_of_one_file_begin_each_where_it_does() -> None:
         test=[{"record": experiment.record} for experiment in whole.testing],
         noise={name: 5e-5 for name in outputs},
     )
-    study = Study(cut, Accuracy())
+    study = Study(cut, Accuracy(foreseen=10**6))
     law, misfit = force_of(study, JointFit(study, cut.start).fitted()).polished()
     assert (law.site.path, law.variables) == ("link", ("speed",))
     assert misfit < 2.0

@@ -93,7 +93,7 @@ def campaign(part: ia.Component, offset: float = 0.0, rate: float = RATE) -> Cam
 
 
 def fitted(records: Campaign) -> tuple[Study, Any]:
-    study = Study(records, Accuracy())
+    study = Study(records, Accuracy(foreseen=10**6))
     return study, JointFit(study, records.start).fitted()
 
 
@@ -148,7 +148,7 @@ def test_what_the_force_shows_is_a_law_of_free_runs(slipping: Campaign) -> None:
     x, f = found.law.points[:, 0], found.law.values
     true = sum(0.25 * (np.tanh((x - w) / WIDTH) + np.tanh(w / WIDTH)) for w in SPEEDS)
     away = np.all([np.abs(x - w) > 0.06 for w in SPEEDS], axis=0) & (np.abs(x) < 0.4)
-    assert np.quantile(np.abs(f - true)[away], 0.9) < 0.06
+    assert np.quantile(np.abs(f - true)[away], 0.9) < 0.1 * np.ptp(true)
 
 
 def test_one_law_takes_the_place_of_effects_whatever_it_foresees() -> None:
