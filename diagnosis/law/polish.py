@@ -109,13 +109,14 @@ def _polished(study: Study, law: Law) -> Polished:
     first, here = law.runs[0].bench, first_trial(study, law)
     whole = [len(run.found.time) for run in here.runs]
     for number in range(LAW_POLISHES):
-        followed = here.followed
-        there = _stepped(study, law, here, followed)
+        counted = followed = here.followed
+        there = _stepped(study, law, here, counted)
         if there is None and not number:
-            there = _stepped(study, law, here, whole)
+            counted = whole
+            there = _stepped(study, law, here, counted)
         if there is None:
             break
-        drop = 1 - there.until(followed).squares / here.until(followed).squares
+        drop = 1 - there.until(counted).squares / here.until(counted).squares
         here, farther = there, sum(there.followed) > sum(followed)
         if drop < START_DROP_RATIO and not farther:
             break
