@@ -51,5 +51,4 @@ from .two_terminal import TwoTerminal as TwoTerminal
 from .two_terminal import bridge as bridge
 from .two_terminal import parallel as parallel
 from .two_terminal import series as series
-from .variational.forced import Forced as Forced
 from .variational.variations import Variations as Variations

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 
 import numpy as np
 
 from ...base import Array, Flags
 from ...identification import Experiment, Prediction
-from ...networks import Forced
 from ..criteria import LOST_GAP_SHARE, LOST_LEAST, LOST_SAMPLES, LOST_SHARE, LOST_STANDARD_DEVIATIONS
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, sensed
@@ -150,13 +149,8 @@ class Beside:
 
         From (points, columns) to (instants, outputs, columns).
         """
-        return np.asarray(self._forced.pushed(number, forces)[self.found.at] * self._weights)
-
-    @cached_property
-    def _forced(self) -> Forced:
-        """The linear machine along the run, with a force at every site."""
-        pushes = [push_of(number) for number in range(len(self.bench.sites))]
-        return self.bench.predictor.variations.forced(self.found.run, pushes)
+        moved = self.bench.predictor.variations.pushed(self.found.run, {push_of(number): forces})
+        return np.asarray(moved[self.found.at] * self._weights)
 
     @property
     def _weights(self) -> Array:
@@ -202,16 +196,16 @@ class Beside:
 
     def course(self, numbers: Sequence[int], fixed: bool = False) -> Course:
         """Return the machine along the run, for forces at some of the sites."""
-        found, line, sites = self.found, self._forced, [*numbers]
+        found, bench = self.found, self.bench
+        line = bench.predictor.variations.forced(found.run, [push_of(n) for n in numbers])
         columns, shared, priors = self.columns(fixed)
         points = len(self.t)
         spread = np.zeros((points, *columns.shape[1:]))
-        to_x, to_f = np.zeros_like(line.to_x), np.zeros_like(line.to_u[:, :, sites])
+        to_x, to_f = np.zeros_like(line.to_x), np.zeros_like(line.to_u)
         spread[found.at] = columns
         to_x[found.at] = line.to_x[found.at] * self._weights
-        to_f[found.at] = line.to_u[found.at][:, :, sites] * self._weights
-        here, there = line.here[:, :, sites], line.there[:, :, sites]
-        return Course(self.t, line.map, here, there, to_x, to_f, spread, shared, priors)
+        to_f[found.at] = line.to_u[found.at] * self._weights
+        return Course(self.t, line.map, line.here, line.there, to_x, to_f, spread, shared, priors)
 
     def began(self, unknown: Array, shared: int) -> Begin:
         """Return where the record begins by what a smoother found of it."""

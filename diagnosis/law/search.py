@@ -125,22 +125,23 @@ class Search:
 
     def movable(self) -> tuple[list[int], Array]:
         """Return the sites at which a force changes what is measured, and how large it has to be."""
-        numbers = range(len(self.bench.sites))
-        missed = sum(float((beside.columns(True)[0][:, :, 0] ** 2).sum()) for beside in self.nominal)
-        sizes = np.array([self._size(number, missed) for number in numbers])
-        return [n for n in numbers if sizes[n] > 0], sizes[sizes > 0]
+        largest = {number: self._scale(number) for number in range(len(self.bench.sites))}
+        scales = {number: scale for number, scale in largest.items() if scale.all()}
+        missed, answered = 0.0, np.zeros((len(scales), 2))
+        for beside in self.nominal:  # all sites of a run, whose slopes are kept until the next
+            missed += float((beside.columns(True)[0][:, :, 0] ** 2).sum())
+            for place, (number, scale) in enumerate(scales.items()):
+                motion = beside.motion(number)
+                forces = np.column_stack([motion.s - motion.distance, motion.v]) / scale
+                answered[place] += (beside.answers(number, forces) ** 2).sum(axis=(0, 1))
+        most = answered.max(axis=1, initial=0.0)
+        seen = (most > 0) & np.isfinite(most)
+        return [n for n, kept in zip(scales, seen, strict=True) if kept], np.sqrt(missed / most[seen])
 
-    def _size(self, number: int, missed: float) -> float:
+    def _scale(self, number: int) -> Array:
+        """Return the largest travel and speed of a site in any record."""
         motions = [beside.motion(number) for beside in self.nominal]
-        scale = np.array([max(m.travel for m in motions), max(m.speed for m in motions)])
-        if not scale.all():
-            return 0.0
-        answered = np.zeros(2)
-        for beside, motion in zip(self.nominal, motions, strict=True):
-            forces = np.column_stack([motion.s - motion.distance, motion.v]) / scale
-            answered += (beside.answers(number, forces) ** 2).sum(axis=(0, 1))
-        most = float(answered.max())
-        return float(np.sqrt(missed / most)) if most > 0 and np.isfinite(most) else 0.0
+        return np.array([max(m.travel for m in motions), max(m.speed for m in motions)])
 
     def rank(
         self, runs: Sequence[Beside], numbers: Sequence[int], sizes: Array

@@ -39,25 +39,29 @@ class Steps:
     here: Array
     there: Array
 
+    def reversed(self) -> Steps:
+        """Return the steps by which what the end is sensitive to goes back to the start."""
+        return Steps(np.swapaxes(self.map, 1, 2)[::-1], *(m[::-1] for m in (self.own, self.here, self.there)))
 
-def carried(map: Array, moved: Array, added: Array) -> Array:
-    """Return the changes at all points, (points, states, columns), that begin as `moved`.
+    def carry(self, moved: Array, added: Array) -> Array:
+        """Return the changes at all points, (points, states, columns), that begin as `moved`.
 
-    Stretches are followed side by side: first what each makes of any change, then from where it begins.
-    """
-    n, length = map.shape[1], max(1, isqrt(len(map)))
-    whole = len(map) - len(map) % length
-    maps, more = (
-        np.swapaxes(m[:whole].reshape(whole // length, length, *m.shape[1:]), 0, 1) for m in (map, added)
-    )
-    product = np.broadcast_to(np.eye(n), maps.shape[1:])
-    gathered = np.zeros((len(product), *moved.shape))
-    for step, extra in zip(maps, more, strict=True):
-        product, gathered = step @ product, step @ gathered + extra
-    begins = np.concatenate([moved[None], _followed(product, moved, gathered)])
-    inside = np.swapaxes(_followed(maps, begins[:-1], more), 0, 1).reshape(whole, *moved.shape)
-    rest = _followed(map[whole:], begins[-1], added[whole:])
-    return np.concatenate([moved[None], inside, rest])
+        Stretches are followed side by side: first what each makes of any change, then from where it begins.
+        """
+        n, length = self.map.shape[1], max(1, isqrt(len(self.map)))
+        whole = len(self.map) - len(self.map) % length
+        maps, more = (
+            np.swapaxes(m[:whole].reshape(whole // length, length, *m.shape[1:]), 0, 1)
+            for m in (self.map, added)
+        )
+        product = np.broadcast_to(np.eye(n), maps.shape[1:])
+        gathered = np.zeros((len(product), *moved.shape))
+        for step, extra in zip(maps, more, strict=True):
+            product, gathered = step @ product, step @ gathered + extra
+        begins = np.concatenate([moved[None], _followed(product, moved, gathered)])
+        inside = np.swapaxes(_followed(maps, begins[:-1], more), 0, 1).reshape(whole, *moved.shape)
+        rest = _followed(self.map[whole:], begins[-1], added[whole:])
+        return np.concatenate([moved[None], inside, rest])
 
 
 def _followed(maps: Array, moved: Array, added: Array) -> Array:

@@ -13,7 +13,6 @@ from ..dae import DAE
 from ..evaluation.jacobians import Slopes
 from ..evaluation.linearised import held, linearised
 from ..evaluation.saltation import SaltationMatrices
-from ..evaluation.transition_matrices import carried
 from ..flattening.vectors import pick
 from .bound_dae import BoundDAE
 from .initialization import StartValues
@@ -101,7 +100,7 @@ def sensitivities_along(result: Result, names: Sequence[str], wanted: StartValue
     first = result.segments[0]
     point = Point(*first.point(0))
     moved = start_slopes(result.closed, point, wanted, slopes_of_constants(dae, point, names))
-    states = carried(line.steps.map, held(dae, first, moved), line.steps.own)
+    states = line.steps.carry(held(dae, first, moved), line.steps.own)
     return {name: states[:, :, k] for k, name in enumerate(names)}
 
 

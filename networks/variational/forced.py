@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from ...base import Array
-from ..evaluation.transition_matrices import carried
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,16 +24,3 @@ class Forced:
     there: Array
     to_x: Array
     to_u: Array
-
-    def pushed(self, number: int, changes: Array) -> Array:
-        """Return what changes of an input, (points, columns), change in the signals there.
-
-        Args:
-            number: of the input.
-            changes: straight from point to point.
-        """
-        du = changes[:, None, :]
-        at = slice(number, number + 1)
-        added = self.here[:, :, at] * du[:-1] + self.there[:, :, at] * du[1:]
-        states = carried(self.map, np.zeros((self.map.shape[1], changes.shape[1])), added)
-        return np.asarray(self.to_x @ states + self.to_u[:, :, at] * du)

@@ -27,7 +27,6 @@ from ..evaluation.compiled import Batch, dense
 from ..evaluation.jacobians import Slopes
 from ..evaluation.linearised import Line, held, linearised
 from ..evaluation.saltation import SaltationMatrices
-from ..evaluation.transition_matrices import carried
 from ..flattening.vectors import pick
 from ..results.result import Result
 from ..simulation.events.switcher import Point
@@ -121,7 +120,7 @@ class Variations:
         line = self._linearised(result)
         added = np.zeros((len(line.steps.own), nx, count + nx))
         added[:, :, :count] = line.steps.own
-        slopes = line.to_x[:, nx:] @ carried(line.steps.map, held(self.dae, result.segments[0], moved), added)
+        slopes = line.to_x[:, nx:] @ line.steps.carry(held(self.dae, result.segments[0], moved), added)
         slopes[:, :, :count] += line.to_p[:, nx:]
         return slopes
 
@@ -152,7 +151,7 @@ class Variations:
         added = line.steps.here @ forcing[:-1] + line.steps.there @ forcing[1:]
         if len(line.switched):
             added[line.switched] = line.crossed_by_u[:, :, rows] @ weights[line.switched]
-        states = carried(line.steps.map, np.zeros((nx, weights.shape[2])), added)
+        states = line.steps.carry(np.zeros((nx, weights.shape[2])), added)
         return np.asarray(line.to_x[:, nx:] @ states + by_u[:, nx:] @ weights)
 
     def forced(self, result: Result, names: Sequence[str]) -> Forced:
@@ -206,7 +205,7 @@ class Variations:
         line = self._linearised(result)
         by_u = line.to_u[:, :, row]
         seen = np.einsum("ksx,ks->kx", line.to_x[:, nx:], weights)[:, :, None]
-        back = carried(np.swapaxes(line.steps.map, 1, 2)[::-1], seen[-1], seen[-2::-1])[::-1][1:, :, 0]
+        back = line.steps.reversed().carry(seen[-1], seen[-2::-1])[::-1][1:, :, 0]
         forced = np.zeros((len(by_u), nx))
         forced[:-1] += np.einsum("kij,ki->kj", line.steps.here, back)
         forced[1:] += np.einsum("kij,ki->kj", line.steps.there, back)

@@ -117,6 +117,36 @@ def test_pictures_are_saved(bulging: Any, tmp_path: Any) -> None:
         bulging.law("time").component()
 
 
+def test_a_site_whose_force_acts_by_its_derivatives_and_is_not_seen_is_passed_over() -> None:
+    """Two springs in a row beside the measured mass, at a node that has no mass."""
+
+    def driven(friction: float) -> ia.Network:
+        net = ia.Network("side", wall=ia.Fixed(), drive=ia.Position(), mass=ia.Mass(m=1.0))
+        net.add(near=ia.Spring(k=300.0), far=ia.Spring(k=200.0), link=ia.SpringDamper(k=400.0, d=4.0))
+        net.add(guide=ia.SpringDamper(k=100.0, d=2.0), rub=ia.CoulombFriction(f_c=friction))
+        net.connect(net.drive.flange, net.near.flange_a, net.link.flange_a)
+        net.connect(net.near.flange_b, net.far.flange_a)
+        net.connect(net.wall.flange, net.far.flange_b, net.guide.flange_a, net.rub.flange_a)
+        net.connect(net.link.flange_b, net.mass.flange, net.guide.flange_b, net.rub.flange_b)
+        return net
+
+    shape = Multisine(rms=0.01, low=0.4, high=4.0, period=2.0, seed=1)
+    u = sampled(shape, stop=4.0, rate=200.0, fade=0.3)
+    run = driven(0.6).simulate(4.0, step=5e-3, inputs={"drive.s_ref": u})
+    x = np.interp(u.time, run.time, run["mass.s"]) + np.random.default_rng(2).normal(0, 1e-5, len(u.time))
+    found = ia.missing_force(
+        Campaign(
+            driven(0.0),
+            channels={"u": {"input": "drive.s_ref", "unit": "m"}, "x": {"output": "mass.s", "unit": "m"}},
+            parameters={"guide.k": {"rel": 0.1}},
+            train=[{"record": Record("shaken", u.time, {"u": u.values, "x": x}), "initial": "rest"}],
+            noise={"x": 1e-5},
+        )
+    )
+    assert {one.site for one in found.ranking}.isdisjoint({"near", "far"})
+    assert found.misfit < 1.2 < 10 < found.before
+
+
 def test_a_site_that_is_none() -> None:
     with pytest.raises(ia.ModelError, match=r"there is no site 'sprin'.*spring"):
         ia.missing_force(campaign("bulge"), site="sprin")
