@@ -22,13 +22,9 @@ from .models.study import FMUStudy, Report, Study, study_of, thinned
 from .search.ahead import gone_ahead
 from .search.choice import taken
 from .search.crew import LATE
+from .search.hearing import heard_beside
 from .search.joint_fit import JointFit
-from .search.model_comparison import (
-    Refit,
-    gap_taken,
-    unexplained,
-    with_residual_floors,
-)
+from .search.model_comparison import Refit, gap_taken, unexplained
 from .search.revision import Rivals, pruned, revised
 from .search.reweighed import reweighed
 from .search.round import Round, go_on, run_round
@@ -186,11 +182,10 @@ def _refitted(
 
 def _heard(study: Study, model: Refit) -> Study:
     """Return the study with the noise that shows beside a model; itself if no other noise shows."""
-    heard = with_residual_floors(study.campaign, model)
-    if heard is study.campaign:
-        return study
-    study.tell("refitting with the noise that a filter has left")
-    return replace(study, campaign=heard)
+    heard = heard_beside(study, model)
+    if heard is not study:
+        study.tell("refitting with the noise that a filter has left")
+    return heard
 
 
 def granted(given: float) -> int:

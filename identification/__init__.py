@@ -36,7 +36,10 @@ from .records.excitation import Multisine as Multisine
 from .records.excitation import Shuttle as Shuttle
 from .records.excitation import SineDwells as SineDwells
 from .records.excitation import sampled as sampled
+from .records.filtered_noise import filtered_floors as filtered_floors
+from .records.filtered_noise import passed_band as passed_band
 from .records.filters import Filter as Filter
+from .records.heard import Heard as Heard
 from .records.noise import NoiseFloor as NoiseFloor
 from .records.noise import is_noise as is_noise
 from .records.noise import residual_floor as residual_floor
@@ -44,9 +47,8 @@ from .records.noise import spectral_floor as spectral_floor
 from .records.reading import read_record as read_record
 from .records.record import Channel as Channel
 from .records.record import Record as Record
-from .records.uncovered_noise import Heard as Heard
-from .records.uncovered_noise import filtered_floors as filtered_floors
 from .records.uncovered_noise import uncovered_floors as uncovered_floors
+from .records.weighing import Weighing as Weighing
 
 __all__ = [
     "Campaign",

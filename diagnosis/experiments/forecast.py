@@ -74,11 +74,11 @@ class Forecast:
         """Return what it foresees of an experiment."""
         run, rows = self.joint.foreseen(experiment, slopes)
         weights = experiment.weights
-        values = np.concatenate([run.seen[name] * weights[name] for name in run.seen])
+        values = np.concatenate([weights[name](run.seen[name]) for name in run.seen])
         if not (np.isfinite(values).all() and np.isfinite(rows).all()):
             raise SimulationError("what is foreseen grows beyond bounds")
         if slopes:
-            offsets = nuisance_slopes(experiment, run.found, weights)
+            offsets = nuisance_slopes(experiment, run.found)
             left = projected(np.column_stack([values, rows]), offsets)
             values, rows = left[:, 0], left[:, 1:]
         return Seen(run, values, rows)

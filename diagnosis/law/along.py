@@ -65,6 +65,7 @@ class Bench:
         force: Force | None = None,
     ) -> Beside:
         """Run a record with a force at a site."""
+        experiment = experiment.whole
         put = partial(self.predictor.stand, number=number, force=force)
         stand = stand_on(put, experiment, self.effects)
         found = stand.run({**given, **begin.own}, begin.start, self.accuracy)
@@ -72,6 +73,7 @@ class Bench:
 
     def nearest(self, experiment: Experiment, given: Mapping[str, float]) -> Beside:
         """Run a record from where it begins nearest to it."""
+        experiment = experiment.whole
         stand = stand_on(self.predictor.stand, experiment, self.effects)
 
         def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
@@ -112,7 +114,7 @@ class Beside:
         """What was measured less what was predicted where it counts, in noise, (instants, outputs)."""
         elapsed, measured = self.experiment.elapsed(self.found.time), self.experiment.compared.values
         columns = [
-            (measured[n] - sensed(elapsed, n, v, self.bench.effects)) * self.experiment.weights[n]
+            (measured[n] - sensed(elapsed, n, v, self.bench.effects)) * self.experiment.weights[n].alone
             for n, v in self.found.values.items()
         ]
         return np.column_stack(columns) * self._counts
@@ -138,7 +140,9 @@ class Beside:
 
         Or by some of what another model has `missed` of each output, in units of noise.
         """
-        moved = np.array([whole.compared.values[name] * whole.weights[name] for name in self.found.values])
+        moved = np.array(
+            [whole.compared.values[name] * whole.weights[name].alone for name in self.found.values]
+        )
         allowed = np.maximum(LOST_SHARE * moved.std(axis=1), LOST_STANDARD_DEVIATIONS)
         if missed is not None:
             allowed = np.minimum(allowed, np.maximum(LOST_GAP_SHARE * missed, LOST_LEAST))
@@ -155,7 +159,7 @@ class Beside:
     @property
     def _weights(self) -> Array:
         """What samples count, (instants, outputs, 1)."""
-        weights = np.column_stack([self.experiment.weights[name] for name in self.found.values])
+        weights = np.column_stack([self.experiment.weights[name].alone for name in self.found.values])
         return (weights * self._counts)[:, :, None]
 
     @property
@@ -180,7 +184,7 @@ class Beside:
             shared = np.stack([found.slopes[n][:, : len(bench.names)] for n in names], axis=1)
             shared = shared * self._weights * bench.scales
             missed = missed + shared @ bench.away(self.given)
-        free = nuisance_slopes(experiment, found, experiment.weights)
+        free = nuisance_slopes(experiment, found)
         own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1) * self._counts[:, :, None]
         weights = np.zeros(own.shape[2])
         if experiment.unknown:

@@ -293,9 +293,7 @@ class JointFit:
             for name, columns in moved.items():
                 parts[name].append(columns)
             at += paths
-        return np.concatenate(
-            [np.hstack(parts[name]) * run.experiment.weights[name][:, None] for name in rows]
-        )
+        return np.concatenate([run.experiment.weights[name](np.hstack(parts[name])) for name in rows])
 
     def _differences(self, run: RecordRun, placed: Hypothesis, size: Array) -> dict[str, Array]:
         """Return how each channel changes with an effect, per unit of its sizes, by differences."""

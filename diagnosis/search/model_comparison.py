@@ -9,14 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from ...base import Array
-from ...identification import (
-    Campaign,
-    Experiment,
-    Heard,
-    filtered_floors,
-    is_noise,
-    uncovered_floors,
-)
+from ...identification import Experiment, is_noise
 from ..criteria import (
     ALIKE_RESIDUAL_SHARE,
     ALIKE_STANDARD_ERRORS,
@@ -99,7 +92,7 @@ class Refit:
         return all(
             is_noise(
                 missed,
-                experiment.counted(experiment.compared.values[name]),
+                experiment.counted(experiment.passed(name)),
                 experiment.rate,
                 count,
                 experiment.sigma[name],
@@ -156,33 +149,6 @@ def is_clear(worse: Refit, better: Refit) -> bool:
     """Tell whether a model does better beyond chance, and on most stretches unless it leaves half as much."""
     halves = better.blocks.sum() < CLEAR_RESIDUAL_RATIO * worse.blocks.sum()
     return clearness(worse, better) > (ALIKE_STANDARD_ERRORS if halves else CLEAR_STANDARD_ERRORS)
-
-
-def with_residual_floors(campaign: Campaign, model: Refit) -> Campaign:
-    """Return a campaign whose filtered channels have the noise that a model leaves in their bands.
-
-    It is the campaign itself if none is filtered.
-    """
-    floors = [dict(experiment.floors) for experiment in campaign.experiments]
-    for name in campaign.outputs:
-        heard = _heard(campaign, model, name)
-        for floor, own in zip(floors, uncovered_floors(heard) or filtered_floors(heard), strict=True):
-            floor[name] = own
-    return campaign if floors == [e.floors for e in campaign.experiments] else campaign.with_floors(floors)
-
-
-def _heard(campaign: Campaign, model: Refit, name: str) -> list[Heard]:
-    """Return a channel in each record, beside what a model misses of it."""
-    return [
-        Heard(
-            experiment.counted(experiment.sigma[name] * missed[name]),
-            experiment.counted(experiment.compared.values[name]),
-            [experiment.counted(experiment.compared.values[drive]) for drive in campaign.inputs],
-            experiment.floors[name],
-            experiment.rate,
-        )
-        for experiment, missed in zip(campaign.experiments, model.left, strict=True)
-    ]
 
 
 def best_of(models: Sequence[Refit]) -> Refit:

@@ -33,8 +33,7 @@ def weighed(
         count: of records that it stands for.
     """
     residual, priors = missed(experiment, seen, own, count), experiment.unknown
-    weights = {name: count**0.5 * weight for name, weight in experiment.weights.items()}
-    slopes = nuisance_slopes(experiment, found, weights)
+    slopes = count**0.5 * nuisance_slopes(experiment, found)
     if not priors:
         return residual, slopes
     at, weight = _own(priors, own, count)
@@ -54,7 +53,7 @@ def missed(
 ) -> Array:
     """Return the weighted residual alone; arguments and rows as above."""
     weights, measured = experiment.weights, experiment.compared.values
-    rows = [(measured[n] - seen[n]) * (count**0.5 * weights[n]) for n in seen]
+    rows = [count**0.5 * weights[n](measured[n] - seen[n]) for n in seen]
     at, weight = _own(experiment.unknown, own, count)
     return np.concatenate([*rows, -weight * at])
 

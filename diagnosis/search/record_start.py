@@ -47,23 +47,23 @@ class Weighed(Protocol):
 Run = TypeVar("Run", bound=Weighed)
 
 
-def nuisance_slopes(experiment: Experiment, found: Predicted, weights: Mapping[str, Array]) -> Array:
+def nuisance_slopes(experiment: Experiment, found: Predicted) -> Array:
     """Return d(weighted prediction)/d(states at the start, own values, offsets), channels below each other.
 
     Own values count in units of what they may be expected to be.
     """
-    rows = list(found.values)
+    rows, weighed = list(found.values), experiment.weights
     free = (
         []
         if experiment.initial == "rest"
-        else [np.concatenate([found.start_slopes[n] * weights[n][:, None] for n in rows])]
+        else [np.concatenate([weighed[n](found.start_slopes[n]) for n in rows])]
     )
     if experiment.unknown:
         scales = np.array([prior.scale for prior in experiment.unknown.values()])
-        free.append(np.concatenate([found.own_slopes[n] * weights[n][:, None] for n in rows]) * scales)
+        free.append(np.concatenate([weighed[n](found.own_slopes[n]) for n in rows]) * scales)
     for channel in experiment.offset:
-        lifted = [weights[n] * (n == channel) for n in rows]
-        free.append(np.concatenate(lifted)[:, None])
+        lifted = [weighed[n](np.full((len(found.values[n]), 1), float(n == channel))) for n in rows]
+        free.append(np.concatenate(lifted))
     return np.hstack([np.zeros((sum(len(found.values[n]) for n in rows), 0)), *free])
 
 
@@ -196,7 +196,7 @@ def settled(
 def reach_of(experiment: Experiment, found: Predicted) -> Array:
     """Return how far each state gets in a run, or would if that moved as much as was measured; 0 at rest."""
     moved = [
-        np.sqrt(sum(float(np.sum(((y - y.mean()) * experiment.weights[n]) ** 2)) for n, y in values.items()))
+        np.sqrt(sum(float(np.sum(experiment.weights[n](y - y.mean()) ** 2)) for n, y in values.items()))
         for values in ({n: experiment.compared.values[n] for n in found.values}, found.values)
     ]
     return found.reach * max(1.0, moved[0] / moved[1]) if moved[1] > 0 else np.zeros_like(found.reach)

@@ -259,5 +259,7 @@ def _least(matrix: Array, seen: Array, low: Array) -> tuple[Array, float]:
     wanted = (vectors[:, kept].T @ (seen / scale)) / np.sqrt(strength[kept])
     if not kept.any():
         return np.zeros(len(low)), 0.0
-    found = lsq_linear(root, wanted, (np.where(np.isfinite(low), 0.0, -np.inf), np.inf))
+    bounds = np.where(np.isfinite(low), 0.0, -np.inf), np.inf
+    with np.errstate(invalid="ignore"):  # a step that nothing bounds is reflected nowhere
+        found = lsq_linear(root, wanted, bounds)
     return np.maximum(found.x / scale, low), float(wanted @ wanted - 2 * found.cost)

@@ -63,7 +63,7 @@ class WhitenedRecord:
         self.outputs = {name: c.path for name, c in channels if not c.driven}
         self.inputs = {name: c.path for name, c in channels if c.driven}
         self._channels = study.campaign.measured
-        self.weights = weights = {name: count**0.5 * one for name, one in experiment.weights.items()}
+        self.weights, self._count = experiment.weights, count
         self._predictor, self._experiment = predictor, experiment
         if forced is None:
             self._stand: Any = stand_on(predictor.stand, experiment, effects)
@@ -95,7 +95,7 @@ class WhitenedRecord:
         missed, free = run.weighed
         self._basis = _orthonormal(free)
         self.residual = self.off(missed)
-        self.slopes = self.off(np.concatenate([found.slopes[n] * weights[n][:, None] for n in self.outputs]))
+        self.slopes = self.off(self._weighed(found.slopes))
         if forced is not None:
             number, force = forced[0], forced[1].force
             self.residual += self.to_inputs({push_of(number): force.at(self.time)[:, None]})[:, 0]
@@ -132,8 +132,7 @@ class WhitenedRecord:
     def to_inputs(self, changes: Mapping[str, Array]) -> Array:
         """Return what changes of inputs, given at the instants `time`, change in the outputs."""
         moved = self._stand.pushed(self._found, changes)
-        weighted = [moved[:, n] * self.weights[name][:, None] for n, name in enumerate(self.outputs)]
-        return self.off(np.concatenate(weighted))
+        return self.off(self._weighed({name: moved[:, n] for n, name in enumerate(self.outputs)}))
 
     def explained(self, residual: Array, name: str) -> Array | None:
         """Return how much of a residual a unit of an input at each of the instants `time` would explain.
@@ -142,7 +141,8 @@ class WhitenedRecord:
         """
         missed = self.off(residual)[: len(self.outputs) * len(self.measured.time)]
         parts = np.split(missed, len(self.outputs))
-        weights = [part * self.weights[output] for output, part in zip(self.outputs, parts, strict=True)]
+        pairs = zip(self.outputs, parts, strict=True)
+        weights = [self._count**0.5 * self.weights[output].back(part) for output, part in pairs]
         found: Array | None = self._stand.adjoint(self._found, np.column_stack(weights), name)
         return found
 
@@ -156,8 +156,13 @@ class WhitenedRecord:
 
     def to_output(self, channel: str, changes: Array) -> Array:
         """Return changes of one output channel, columns at the instants of the record, in all outputs."""
-        parts = [changes * self.weights[n][:, None] * (n == channel) for n in self.outputs]
-        return self.off(np.concatenate(parts))
+        nothing = np.zeros_like(changes)
+        return self.off(self._weighed({n: changes if n == channel else nothing for n in self.outputs}))
+
+    def _weighed(self, columns: Mapping[str, Array]) -> Array:
+        """Return changes of the outputs in units of noise, one below the other."""
+        weighed = np.concatenate([self.weights[n](columns[n]) for n in self.outputs])
+        return np.asarray(self._count**0.5 * weighed)
 
 
 def _orthonormal(columns: Array) -> Array:

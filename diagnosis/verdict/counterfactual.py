@@ -193,7 +193,7 @@ def counterfactuals(foretold: Foretold, refit: Refit, after: Refit) -> Iterator[
                 change=record.change.told(campaign.machine),
                 refit=shares[0],
                 after=shares[1],
-                floor=record.floors[name].sigma / (size or 1.0),
+                floor=record.weights[name].noise / (size or 1.0),
                 unit=f"{campaign.measured[name].si}, NRMSE",
                 size=size,
                 problem="; ".join(dict.fromkeys(left for left in lefts if isinstance(left, str))),

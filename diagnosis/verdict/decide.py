@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from math import inf
 from typing import TypeVar
 
 import numpy as np
@@ -202,6 +203,12 @@ def _noises(evidence: Evidence, gaps: Mapping[str, Gap]) -> Iterator[str]:
         if left > COLOURED_MISFIT and _leaves_noise(evidence.after, evidence.study):
             told = f"what is left is white noise, but {left:.3g} times that assumed ({floor.source})"
             yield f"{name}: {told}; correct [noise]"
+        if floor.passed < inf:
+            highest = evidence.campaign.training[0].weights[name].highest
+            yield (
+                f"{name}: a filter takes away what the model foresees from about {floor.passed:.2g} Hz on; "
+                f"model and record are compared up to {highest:.2g} Hz, where it has changed next to nothing"
+            )
         if not floor.is_sure:
             yield (
                 f"{name}: passed up to {floor.band:.3g} Hz only, where its noise is what a fit leaves, so "

@@ -66,7 +66,7 @@ def gaps(study: Study, nominal: Refit, refit: Refit, after: Refit) -> dict[str, 
         size = rms([_moving(e, name) for e in study.judged])
         whole = size or 1.0
         missed = [rms(model.counted(study.judged, name)) / whole for model in (nominal, refit, after)]
-        noise = rms([np.array([e.floors[name].sigma for e in study.judged])])
+        noise = rms([np.array([e.weights[name].noise for e in study.judged])])
         found[name] = Gap(
             nominal=missed[0],
             refit=missed[1],

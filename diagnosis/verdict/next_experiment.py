@@ -58,7 +58,7 @@ def _apart(campaign: Campaign, joints: list[JointFit], sine: _Sine) -> float:
     if any(taken(limits, run) > 1 for run in runs):
         return 0.0
     weights, (mine, theirs) = experiment.weights, (run.seen for run in runs)
-    return rms([(mine[name] - theirs[name]) * weights[name] for name in mine])
+    return rms([weights[name](mine[name] - theirs[name]) for name in mine])
 
 
 def _lasting(campaign: Campaign) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 from ...base import boolean, demand, function, instance, path_of, shown, text_of, there_is_file
 from ...components import ModelError
 from ...networks import DAE, Network
-from ..records.noise import NoiseFloor, repeated_floor, spectral_floor
+from ..records.noise import STATED, NoiseFloor, repeated_floor, spectral_floor
 from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
 from .checks import (
@@ -181,7 +181,7 @@ class Campaign:
         since, count = since_their_runs_began(self.experiments), len(self.training)
         self.training, self.testing = since[:count], since[count:]
         self.changed = since_their_runs_began(self.changed)
-        self.floors = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
+        self.floors = {name: NoiseFloor(sigma, STATED) for name, sigma in stated.items()}
         if self.training:
             floors = [*self._noise(stated)]
             pairs = zip(self.changed, floors[len(self.experiments) :], strict=True)
@@ -346,7 +346,7 @@ class Campaign:
         """Yield the noise of each experiment, of each output: as stated, by repeats, or by its spectrum."""
         by_source = {str(e.source): e.record for e in self.all_records}
         pairs = [(e.record, by_source[e.repeat_of]) for e in self.all_records if e.repeat_of in by_source]
-        told = {name: NoiseFloor(sigma, "stated") for name, sigma in stated.items()}
+        told = {name: NoiseFloor(sigma, STATED) for name, sigma in stated.items()}
 
         def spectrum(e: Experiment, name: str) -> Iterator[NoiseFloor]:
             if np.ptp(values := e.record.values[name]):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from ..records.columns import stuck
 from ..records.noise import NoiseFloor
 from ..records.reading import read_record
 from ..records.record import Channel, Record, outputs_of
+from ..records.weighing import Weighing
 from .change import Change
 from .machine import Machine
 from .priors import Prior
@@ -121,12 +123,24 @@ class Experiment:
         return {name: floor.white(self.rate) for name, floor in self.floors.items()}
 
     @cached_property
-    def weights(self) -> dict[str, Array]:
-        """What each sample of each output counts: 1 over its `sigma`, 0 where it is omitted."""
-        counts = np.ones(len(self.compared.time))
-        if self.omitted is not None:
-            counts[self.omitted] = 0.0
-        return {name: counts / sigma for name, sigma in self.sigma.items()}
+    def weights(self) -> dict[str, Weighing]:
+        """What the samples of each output weigh, where they are not omitted."""
+        counted = np.ones(len(self.compared.time), dtype=bool) if self.omitted is None else ~self.omitted
+        return {
+            name: Weighing(floor.white(self.rate), counted, self.rate, floor.share(self.rate), floor.passed)
+            for name, floor in self.floors.items()
+        }
+
+    @cached_property
+    def whole(self) -> Experiment:
+        """The same, of which what filters have changed is compared, too; itself if there is no such thing."""
+        if all(weighing.is_whole for weighing in self.weights.values()):
+            return self
+        return replace(self, floors={name: replace(floor, passed=inf) for name, floor in self.floors.items()})
+
+    def passed(self, name: str) -> Array:
+        """Return what was measured of an output, as far as it is compared, in SI units."""
+        return self.sigma[name] * self.weights[name](self.compared.values[name])
 
     def counted(self, values: Array) -> Array:
         """Return of values at the instants of `compared` those that are not omitted."""
@@ -136,7 +150,7 @@ class Experiment:
     def independent(self) -> float:
         """The number of independent samples that are compared."""
         count = len(self.counted(self.compared.time))
-        return sum(count * floor.share(self.rate) for floor in self.floors.values())
+        return sum(count * weighing.share for weighing in self.weights.values())
 
     def overlaps(self, other: Experiment) -> bool:
         """Return whether both hold the same measurement, or parts of it that overlap."""

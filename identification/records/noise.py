@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf
+from math import inf, sqrt
 
 import numpy as np
 
@@ -22,11 +22,13 @@ MOST_UNLIKE = 3.0, 20.0  # that these have over the quieter half of them, and ha
 NORMAL_SCATTER = 1.4826  # standard deviations of a normal distribution in its median absolute deviation
 
 
+STATED, REPEATS = "stated", "repeats"
 SPECTRUM, SENSOR_STEPS, LEFT_BY_FIT = "spectrum", "steps of the sensor", "what a fit leaves"
 QUIETEST_INSTANTS = "quietest instants"  # as impacts or steps make the rest
 LEVEL_RATIO = 0.6  # of the density in the octave below, at which a spectrum does not fall
 FEWEST_DENSITIES = 8  # of a spectrum that are looked at
 PASSED_BAND = (0.3, 0.7)  # of what a filter has left
+COMPARED_BAND = (0.2, 0.5)  # of what it passes of what a model foresees
 FLAT_RATIO = 1.2  # of the density in that band, up to which there is no more elsewhere
 WEAK_POWER_SHARE = 0.02  # of a signal's power that may lie, beyond what is missed, in the upper half of that
 MEAN_POWER_SHARE = 0.02  # of what is missed that may lie in its mean
@@ -34,6 +36,8 @@ EVEN_DEVIATIONS = 2.0  # of the scatter that the power of noise has from stretch
 STEADY_STRETCHES = 10  # of a record, of which the powers are compared
 QUIET_RANGE_SHARE = 1e-5  # below which no sensor's noise lies: the top of the spectrum was filtered away
 NORMAL_RATIO = 1.25  # of scatter over what it mostly is, up to which nothing strikes
+STEEP_BANDS = (0.6, 0.7), (0.85, 0.95)  # of the spectrum, by which it is told how steeply it falls
+STEEP_RATIO = 6.0  # of the density in the first; at 12 dB an octave there are 4
 FILTERED_DENSITY_RATIO = 100.0  # of the density at the top, above which a channel passes what it measures
 
 
@@ -45,16 +49,23 @@ class NoiseFloor:
         sigma: standard deviation of a sample.
         source: how it is known, in words.
         band: up to which a channel whose spectrum is empty above passes what it measures [Hz].
+        passed: up to which it passes what a model foresees [Hz].
     """
 
     sigma: float
     source: str
     band: float = inf
+    passed: float = inf
 
     @property
     def is_sure(self) -> bool:
         """Whether it does not rest on what a filter, and a model, have left."""
         return self.source != LEFT_BY_FIT
+
+    @property
+    def is_stated(self) -> bool:
+        """Whether it was told, or measured by repeats, and rests on no spectrum."""
+        return self.source in (STATED, REPEATS)
 
     @property
     def is_filtered(self) -> bool:
@@ -79,7 +90,8 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
 
     Where the quietest instants have much less than that, steps and impacts of the signal make it, and what
     those instants have is taken. Not below what the steps of a digital sensor make. What lies far below any
-    sensor's noise was left by a filter: at a rate [Hz] that is given, the band is told that it has left.
+    sensor's noise, or falls as no machine's answer does, was left by a filter: at a rate [Hz] that is given,
+    the band is told that it has left.
     """
     density = density_of(values)
     level = _level(density, NOISE_BAND)
@@ -91,18 +103,38 @@ def spectral_floor(values: Array, rate: float | None = None) -> NoiseFloor:
     source = SENSOR_STEPS if quantum > sigma else QUIETEST_INSTANTS if eventful else SPECTRUM
     floor = max(sigma, quantum, LEAST_RANGE_SHARE * span)
     passed = np.flatnonzero(density > FILTERED_DENSITY_RATIO * 2 * level**2)
-    if rate is None or floor > QUIET_RANGE_SHARE * span or not len(passed):
+    cut = floor <= QUIET_RANGE_SHARE * span or (source == SPECTRUM and _falls_steeply(density))
+    if rate is None or not cut or not len(passed):
         return NoiseFloor(floor, source)
     return NoiseFloor(floor, source, 0.5 * rate * float(passed[-1] + 1) / (len(density) - 1))
+
+
+def _falls_steeply(density: Array) -> bool:
+    """Tell whether a spectrum falls up to its top as filters make it fall, not machines."""
+    low, high = (_level(density, part) for part in STEEP_BANDS)
+    return low**2 > STEEP_RATIO * high**2
 
 
 def residual_floor(residual: Array, rate: float, floor: NoiseFloor) -> NoiseFloor:
     """Estimate the noise of a filtered channel from what a fit leaves in the upper part of its band."""
     density = density_of(residual)
     top = len(density) - 1
-    share = _passed(density, round(floor.share(rate) * top)) / top
-    sigma = _level(density, [edge * share for edge in PASSED_BAND]) * float(np.sqrt(share))
-    return NoiseFloor(max(sigma, floor.sigma), LEFT_BY_FIT, min(floor.band, 0.5 * rate * share))
+    last = last_level(density, round(floor.share(rate) * top))
+    above = 0.5 * float(density[last + 1 :].sum()) / top
+    power = _level_up_to(density, last) ** 2 * last / top + above
+    return NoiseFloor(max(sqrt(power), floor.sigma), LEFT_BY_FIT, min(floor.band, 0.5 * rate * last / top))
+
+
+def _level_up_to(density: Array, last: int) -> float:
+    """Return the standard deviation of white noise of the density in the upper part of a band."""
+    return _level(density, [edge * last / (len(density) - 1) for edge in PASSED_BAND])
+
+
+def passed_floor(residual: Array, rate: float, passed: float) -> NoiseFloor:
+    """Estimate the noise of a channel that passes what is below `passed` [Hz] from what a fit leaves."""
+    share = min(1.0, 2 * passed / rate)
+    level = _level(density_of(residual), [edge * share for edge in COMPARED_BAND])
+    return NoiseFloor(level * float(np.sqrt(share)), LEFT_BY_FIT, passed, passed)
 
 
 def is_steady(values: Array, low: float, high: float) -> bool:
@@ -138,21 +170,23 @@ def is_noise(residual: Array, signal: Array, rate: float, stretches: int, known:
         stretches: of time, that are compared with each other.
         known: standard deviation of the noise that is known.
     """
-    noise, density = residual_floor(residual, rate, NoiseFloor(0.0, "")), density_of(residual)
-    end = round(noise.share(rate) * len(density))
+    density = density_of(residual)
+    last = last_level(density, len(density) - 1)
+    share, level = last / (len(density) - 1), _level_up_to(density, last)
+    end = round(share * len(density))
     moving = density_of(signal)
     told = np.maximum(moving - density, 0.0)[end // 2 :].sum()
     follows = end < len(density) and told > WEAK_POWER_SHARE * moving.sum()
-    if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * noise.white(rate) ** 2:
+    if follows or 0.5 * float(np.mean(density[1:end])) > FLAT_RATIO * level**2:
         return False
     if np.mean(residual) ** 2 > MEAN_POWER_SHARE * np.mean(residual**2):
         return False
-    if noise.share(rate) == 1 and noise.sigma > EVENTFUL_RATIO * max(known, _quietest(residual)):
+    if share == 1 and level > EVENTFUL_RATIO * max(known, _quietest(residual)):
         return False
-    return _is_even(residual, stretches, noise.share(rate))
+    return _is_even(residual, stretches, share)
 
 
-def _passed(density: Array, last: int) -> int:
+def last_level(density: Array, last: int) -> int:
     """Return the last place, up to one that is given, above which a filter takes off more and more."""
     smooth = smoothed(density)
     level = (
@@ -194,7 +228,7 @@ def repeated_floor(record: Record, other: Record, channel: str) -> NoiseFloor:
     count = min(len(record.time), len(other.time))
     difference = record.values[channel][:count] - other.values[channel][:count]
     least = LEAST_RANGE_SHARE * float(np.ptp(record.values[channel]))
-    return NoiseFloor(max(float(difference.std() / np.sqrt(2)), least), "repeats")
+    return NoiseFloor(max(float(difference.std() / np.sqrt(2)), least), REPEATS)
 
 
 def _quietest(values: Array) -> float:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from math import inf
 
 import numpy as np
 
 from ...base import Array
+from .heard import Heard, lengths_of, mean_of
 from .noise import (
     FEWEST_DENSITIES,
     LEFT_BY_FIT,
@@ -18,12 +17,9 @@ from .noise import (
     NoiseFloor,
     density_of,
     is_steady,
-    residual_floor,
     smoothed,
 )
 
-AVERAGES = 32  # stretches of all records, of which a channel's spectrum is the mean
-STRETCH_SAMPLES = (64, 1024)
 UNKNOWN_SHARE = 0.95  # of the measured power from a frequency on, above which a model says nothing of it
 LEAST_SPAN = 2.5  # times that frequency, up to where noise is level at least; a machine's answer falls
 EVEN_RATIO = 6.0  # of the densities there, that noise keeps to though a filter has begun
@@ -31,20 +27,6 @@ STEADY_SHARE = 0.5  # of the records, in which it is as strong at all times
 FOLLOWING_SHARE = 0.3  # of the power there that may be linear in an input; by chance 0.04 to 0.1 is
 MOST_SHARE = 0.15  # of what a channel moves, that is noise; what is more is a motion that the model lacks
 UNDERRATED_RATIO = 1.1  # of noise over what was thought, from which on that is corrected
-
-
-@dataclass(frozen=True, eq=False)
-class Heard:
-    """A channel in a record: what a model misses, what was measured, what drove it, the noise so far.
-
-    All of it was sampled at one rate [Hz].
-    """
-
-    residual: Array
-    measured: Array
-    drives: Sequence[Array]
-    floor: NoiseFloor
-    rate: float
 
 
 def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
@@ -62,7 +44,7 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     """
     if any(record.floor.source not in (SPECTRUM, SENSOR_STEPS) for record in records):
         return None
-    lengths = _lengths([record for record in records if _is_heard(record)])
+    lengths = lengths_of(records)
     missed = {record: density_of(record.residual, length) for record, length in lengths.items()}
     band = _level_band(missed, [density_of(record.measured, length) for record, length in lengths.items()])
     if band is None or _following(lengths, band) > FOLLOWING_SHARE:
@@ -87,35 +69,6 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     return [NoiseFloor(sigma, LEFT_BY_FIT, highest) for sigma in sigmas]
 
 
-def filtered_floors(records: Sequence[Heard]) -> list[NoiseFloor]:
-    """Return the noise of a channel in each record: what a model leaves, if a filter leaves nothing fast.
-
-    A filter that shows in one record is that of the channel: in others it may hide behind the steps of the
-    sensor.
-    """
-    band = max((record.floor.band for record in records if record.floor.is_filtered), default=inf)
-    return [
-        residual_floor(record.residual, record.rate, replace(record.floor, band=min(record.floor.band, band)))
-        if band < inf and record.floor.source in (SPECTRUM, SENSOR_STEPS)
-        else record.floor
-        for record in records
-    ]
-
-
-def _is_heard(record: Heard) -> bool:
-    return len(record.residual) >= STRETCH_SAMPLES[0] and bool(np.ptp(record.residual))
-
-
-def _lengths(records: Sequence[Heard]) -> dict[Heard, int]:
-    """Return from how many samples at a time spectra are computed, of equal frequencies in all records."""
-    if not records:
-        return {}
-    seconds = [len(record.residual) / record.rate for record in records]
-    slowest = min(record.rate for record in records)
-    wanted = float(np.clip(slowest * sum(seconds) / AVERAGES, *STRETCH_SAMPLES)) / slowest
-    return {record: round(min(wanted, *seconds) * record.rate) for record in records}
-
-
 def _level_band(missed: Mapping[Heard, Array], measured: Sequence[Array]) -> slice | None:
     """Return where in the spectrum a model says nothing and noise is level, None if nowhere far enough.
 
@@ -124,7 +77,7 @@ def _level_band(missed: Mapping[Heard, Array], measured: Sequence[Array]) -> sli
     if not missed:
         return None
     weights = [1 / (np.median(density) or np.inf) for density in missed.values()]
-    left, whole = _mean(weights, [*missed.values()]), _mean(weights, measured)
+    left, whole = mean_of(weights, [*missed.values()]), mean_of(weights, measured)
     unknown = np.cumsum(left[::-1])[::-1] >= UNKNOWN_SHARE * np.cumsum(whole[::-1])[::-1]
     if not unknown.any():
         return None
@@ -147,12 +100,6 @@ def _is_level(smooth: Array, band: slice) -> bool:
         return False
     low, high = np.percentile(smooth[band], [5, 95])
     return bool(high <= EVEN_RATIO * low)
-
-
-def _mean(weights: Sequence[float], spectra: Sequence[Array]) -> Array:
-    """Return the weighted mean of spectra up to where the shortest ends."""
-    end = min(len(spectrum) for spectrum in spectra)
-    return np.average([spectrum[:end] for spectrum in spectra], axis=0, weights=weights)
 
 
 def _following(lengths: Mapping[Heard, int], band: slice) -> float:

@@ -13,7 +13,8 @@ import inertance as ia
 import numpy as np
 import pytest
 from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose
-from inertance.diagnosis.search import model_comparison
+from inertance.diagnosis.models.study import Study
+from inertance.diagnosis.search import hearing
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit, best_of, clearness, is_clear
 from inertance.identification import Campaign
@@ -89,18 +90,19 @@ def test_an_effect_found_before_noise_was_heard_again_is_kept(
     cart: Any, monkeypatch: pytest.MonkeyPatch, stopped: bool
 ) -> None:
     """The search begins once more with other noise; broken off there, it tells what it had found."""
-    hear = model_comparison.with_residual_floors
+    hear = hearing.heard_beside
 
-    def other_noise(campaign: Campaign, model: Refit) -> Campaign:
+    def other_noise(study: Study, model: Refit) -> Study:
+        campaign = study.campaign
         if not model.effects:
-            return hear(campaign, model)
+            return hear(study, model)
         if stopped:
             raise KeyboardInterrupt
         louder = [
             {name: replace(floor, sigma=2 * floor.sigma) for name, floor in experiment.floors.items()}
             for experiment in campaign.experiments
         ]
-        return campaign.with_floors(louder)
+        return replace(study, campaign=campaign.with_floors(louder))
 
     def rounds(study: Any, best: Refit, done: Any, before: Any) -> Any:
         found = search_round(study, best, done, before)
@@ -110,7 +112,7 @@ def test_an_effect_found_before_noise_was_heard_again_is_kept(
 
     begun: list[Refit] = []
     search_round = search.run_round
-    monkeypatch.setattr(search, "with_residual_floors", other_noise)
+    monkeypatch.setattr(search, "heard_beside", other_noise)
     monkeypatch.setattr(search, "run_round", rounds)
     if stopped:
         with pytest.raises(DiagnosisInterruptedError) as interrupted:
