@@ -11,6 +11,7 @@ import numpy as np
 from .heard import Heard, lengths_of, mean_of
 from .noise import (
     FEWEST_DENSITIES,
+    LEAST_RANGE_SHARE,
     LEFT_BY_FIT,
     SENSOR_STEPS,
     SPECTRUM,
@@ -77,13 +78,14 @@ def _filtered(record: Heard, band: float, passed: float) -> NoiseFloor:
     if floor.is_stated:
         return replace(floor, passed=passed)
     if passed < inf:
-        left = passed_floor(record.residual, record.rate, passed)
+        least = LEAST_RANGE_SHARE * float(np.ptp(record.measured)) or floor.sigma
+        left = passed_floor(record.residual, record.rate, passed, least)
         return left if narrower or _is_quieter(left, record) else floor
     if floor.source not in UNSURE or band == inf:
         return floor
     if floor.source == LEFT_BY_FIT:
-        least = replace(spectral_floor(record.measured), band=band)
-        left = residual_floor(record.residual, record.rate, least)
+        steps = replace(spectral_floor(record.measured), band=band)
+        left = residual_floor(record.residual, record.rate, steps)
         return left if _is_quieter(left, record) else floor
     return residual_floor(record.residual, record.rate, replace(floor, band=min(floor.band, band)))
 

@@ -130,11 +130,11 @@ def _level_up_to(density: Array, last: int) -> float:
     return _level(density, [edge * last / (len(density) - 1) for edge in PASSED_BAND])
 
 
-def passed_floor(residual: Array, rate: float, passed: float) -> NoiseFloor:
-    """Estimate the noise of a channel that passes what is below `passed` [Hz] from what a fit leaves."""
+def passed_floor(residual: Array, rate: float, passed: float, least: float) -> NoiseFloor:
+    """Estimate the noise, `least` if not more, of a channel that passes what is below `passed` [Hz]."""
     share = min(1.0, 2 * passed / rate)
     level = _level(density_of(residual), [edge * share for edge in COMPARED_BAND])
-    return NoiseFloor(level * float(np.sqrt(share)), LEFT_BY_FIT, passed, passed)
+    return NoiseFloor(max(level * sqrt(share), least), LEFT_BY_FIT, passed, passed)
 
 
 def is_steady(values: Array, low: float, high: float) -> bool:

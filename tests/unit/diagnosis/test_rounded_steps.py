@@ -145,3 +145,13 @@ def test_stated_noise_stays_and_is_compared_in_the_band_that_passes() -> None:
     (floor,) = filtered_floors([heard(told, low_passed(told, 40.0), NoiseFloor(0.01, "stated"))])
     assert (floor.sigma, floor.source) == (0.01, "stated")
     assert floor.passed == pytest.approx(40.0, rel=0.3)
+
+
+def test_a_record_that_stands_still_and_one_without_noise_weigh_something() -> None:
+    told = stepping(5000, 7)
+    still, seen = np.zeros(5000), low_passed(told, 40.0)
+    records = [heard(told, seen), heard(seen, seen), heard(still, still, NoiseFloor(0.01, "spectrum"))]
+    moved, exact, nothing = filtered_floors(records)
+    assert moved.passed == exact.passed == nothing.passed < inf
+    assert exact.sigma == pytest.approx(1e-6 * np.ptp(seen))
+    assert nothing.sigma == 0.01
