@@ -37,6 +37,7 @@ from .records.excitation import Shuttle as Shuttle
 from .records.excitation import SineDwells as SineDwells
 from .records.excitation import sampled as sampled
 from .records.filtered_noise import filtered_floors as filtered_floors
+from .records.filtered_noise import floors_beside as floors_beside
 from .records.filtered_noise import passed_band as passed_band
 from .records.filters import Filter as Filter
 from .records.heard import Heard as Heard

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import inf
 
-from ...identification import Campaign, Heard, filtered_floors, passed_band, uncovered_floors
+from ...identification import Campaign, Heard, floors_beside
 from ..models.study import Study
 from .joint_fit import JointFit
 from .model_comparison import Refit
@@ -18,10 +17,7 @@ def heard_beside(study: Study, model: Refit) -> Study:
     floors = [dict(experiment.floors) for experiment in campaign.experiments]
     whole = _whole(study, model)
     for name in campaign.outputs:
-        heard = [*_heard(campaign, whole, name)]
-        cut = passed_band(heard) < inf
-        found = (None if cut else uncovered_floors(heard)) or filtered_floors(heard)
-        for floor, own in zip(floors, found, strict=True):
+        for floor, own in zip(floors, floors_beside([*_heard(campaign, whole, name)]), strict=True):
             floor[name] = own
     if floors == [e.floors for e in campaign.experiments]:
         return study

@@ -120,16 +120,13 @@ class Experiment:
     @cached_property
     def sigma(self) -> dict[str, float]:
         """What a sample of each output weighs: the noise that it has, as white noise, in SI units."""
-        return {name: floor.white(self.rate) for name, floor in self.floors.items()}
+        return {name: weighing.sigma for name, weighing in self.weights.items()}
 
     @cached_property
     def weights(self) -> dict[str, Weighing]:
         """What the samples of each output weigh, where they are not omitted."""
         counted = np.ones(len(self.compared.time), dtype=bool) if self.omitted is None else ~self.omitted
-        return {
-            name: Weighing(floor.white(self.rate), counted, self.rate, floor.share(self.rate), floor.passed)
-            for name, floor in self.floors.items()
-        }
+        return {name: Weighing(floor, counted, self.rate) for name, floor in self.floors.items()}
 
     @cached_property
     def whole(self) -> Experiment:

@@ -8,8 +8,10 @@ from math import inf
 
 import numpy as np
 
-from .heard import Heard, lengths_of, mean_of
+from ...base import Array
+from .heard import Heard, follows, is_too_much, lengths_of, mean_of
 from .noise import (
+    COMPARED_BAND,
     FEWEST_DENSITIES,
     LEAST_RANGE_SHARE,
     LEFT_BY_FIT,
@@ -23,6 +25,7 @@ from .noise import (
     smoothed,
     spectral_floor,
 )
+from .uncovered_noise import uncovered_floors
 
 UNSURE = SPECTRUM, SENSOR_STEPS, LEFT_BY_FIT  # that filters may have left
 OVERTAKEN_RATIO = 2.0  # of what a model foresees over what was measured, from which on that was taken away
@@ -34,8 +37,9 @@ def passed_band(records: Sequence[Heard]) -> float:
     """Return up to which frequency a channel passes what a model foresees [Hz], infinite if as far as told.
 
     Above, and all the way up, less was measured than the model foresees, and far less at the top: what
-    friction makes has steps, and a filter has rounded them. A wrong gain takes away as much everywhere. If
-    what is missed falls from within an octave below, the filter begins there.
+    friction makes has steps, and a filter has rounded them. A wrong gain takes away as much everywhere, and a
+    model that misses what follows an input, or more than any sensor's noise, as a shaft gives, tells of no
+    filter. If what is missed falls from within an octave below, the filter begins there.
 
     Args:
         records: of one channel.
@@ -46,26 +50,49 @@ def passed_band(records: Sequence[Heard]) -> float:
     foreseen = [density_of(record.measured - record.residual, length) for record, length in lengths.items()]
     measured = [density_of(record.measured, length) for record, length in lengths.items()]
     weights = [1 / (np.median(density) or inf) for density in foreseen]
-    told, seen = (smoothed(mean_of(weights, spectra))[:-1] for spectra in (foreseen, measured))
-    passes = np.flatnonzero(told <= OVERTAKEN_RATIO * seen)
-    last, top = int(passes.max(initial=0)) + 1, len(told)
-    if last < FEWEST_DENSITIES or top - last < FEWEST_DENSITIES:
-        return inf
-    upper = slice(top - (top - last) // 2, top)
-    if np.median(told[upper]) < CUT_RATIO * np.median(seen[upper]):
+    last = _taken_from(*(smoothed(mean_of(weights, spectra)) for spectra in (foreseen, measured)))
+    if last is None:
         return inf
     missed = [density_of(record.residual, length) for record, length in lengths.items()]
     fallen = last_level(mean_of(weights, missed), last)
-    return 0.5 * min(record.rate for record in lengths) * (fallen if 2 * fallen > last else last) / top
+    last = fallen if 2 * fallen > last else last
+    passed = min(record.rate * last / length for record, length in lengths.items())
+    powers = [passed_floor(r.residual, r.rate, passed, 0.0).white(r.rate) ** 2 for r in lengths]
+    wrong = follows(lengths, slice(*(round(edge * last) for edge in COMPARED_BAND)))
+    return inf if wrong or is_too_much(float(np.mean(powers)), lengths) else passed
 
 
-def filtered_floors(records: Sequence[Heard]) -> list[NoiseFloor]:
+def _taken_from(foreseen: Array, measured: Array) -> int | None:
+    """Return from which place in a spectrum on far less was measured than foreseen; None if there is none."""
+    told, seen = foreseen[:-1], measured[:-1]
+    passes = np.flatnonzero(told <= OVERTAKEN_RATIO * seen)
+    last, top = int(passes.max(initial=0)) + 1, len(told)
+    if last < FEWEST_DENSITIES or top - last < FEWEST_DENSITIES:
+        return None
+    upper = slice(top - (top - last) // 2, top)
+    return last if np.median(told[upper]) >= CUT_RATIO * np.median(seen[upper]) else None
+
+
+def floors_beside(records: Sequence[Heard]) -> list[NoiseFloor]:
+    """Return the noise of a channel in each record, as it shows beside a model.
+
+    Args:
+        records: of one channel.
+    """
+    passed = passed_band(records)
+    return (uncovered_floors(records) if passed == inf else None) or filtered_floors(records, passed)
+
+
+def filtered_floors(records: Sequence[Heard], passed: float = inf) -> list[NoiseFloor]:
     """Return the noise of a channel in each record: what a model leaves, where filters leave nothing fast.
 
     A filter that shows in one record is that of the channel: in others it may hide behind the steps of the
     sensor. What a poorer model has left gives way to what a better one leaves.
+
+    Args:
+        records: of one channel.
+        passed: up to which it passes what a model foresees [Hz].
     """
-    passed = passed_band(records)
     bands = [record.floor.band for record in records if record.floor.source in UNSURE]
     band = max((band for band in bands if band < inf), default=inf)
     return [_filtered(record, band, passed) for record in records]

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ...base import Array
-from .heard import Heard, lengths_of, mean_of
+from .heard import Heard, follows, is_too_much, lengths_of, mean_of
 from .noise import (
     FEWEST_DENSITIES,
     LEFT_BY_FIT,
@@ -24,8 +24,6 @@ UNKNOWN_SHARE = 0.95  # of the measured power from a frequency on, above which a
 LEAST_SPAN = 2.5  # times that frequency, up to where noise is level at least; a machine's answer falls
 EVEN_RATIO = 6.0  # of the densities there, that noise keeps to though a filter has begun
 STEADY_SHARE = 0.5  # of the records, in which it is as strong at all times
-FOLLOWING_SHARE = 0.3  # of the power there that may be linear in an input; by chance 0.04 to 0.1 is
-MOST_SHARE = 0.15  # of what a channel moves, that is noise; what is more is a motion that the model lacks
 UNDERRATED_RATIO = 1.1  # of noise over what was thought, from which on that is corrected
 
 
@@ -47,7 +45,7 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     lengths = lengths_of(records)
     missed = {record: density_of(record.residual, length) for record, length in lengths.items()}
     band = _level_band(missed, [density_of(record.measured, length) for record, length in lengths.items()])
-    if band is None or _following(lengths, band) > FOLLOWING_SHARE:
+    if band is None or follows(lengths, band):
         return None
     shares = {
         record: [2 * place / length for place in (band.start, band.stop)]
@@ -62,7 +60,7 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     mean = float(np.mean([*powers.values()]))
     if mean < UNDERRATED_RATIO**2 * np.mean([record.floor.sigma**2 for record in lengths]):
         return None
-    if mean > MOST_SHARE**2 * np.mean([np.var(record.measured) for record in lengths]):
+    if is_too_much(mean, lengths):
         return None
     sigmas = [max(powers.get(record, mean) ** 0.5, record.floor.sigma) for record in records]
     highest = float(np.mean([0.5 * record.rate * share[1] for record, share in shares.items()]))
@@ -100,20 +98,3 @@ def _is_level(smooth: Array, band: slice) -> bool:
         return False
     low, high = np.percentile(smooth[band], [5, 95])
     return bool(high <= EVEN_RATIO * low)
-
-
-def _following(lengths: Mapping[Heard, int], band: slice) -> float:
-    """Return the greatest share of the power in a band that is linear in an input, in all records alike."""
-    from scipy.signal import csd
-
-    power = np.sum([density_of(record.residual, length)[band] for record, length in lengths.items()])
-
-    def share(drives: Sequence[Array]) -> float:
-        pairs = [
-            (r.residual, drive, length) for (r, length), drive in zip(lengths.items(), drives, strict=True)
-        ]
-        crossed = np.abs(np.sum([csd(x, y, nperseg=length)[1][band] for x, y, length in pairs], axis=0)) ** 2
-        driving = np.sum([density_of(drive, length)[band] for _, drive, length in pairs], axis=0)
-        return float(np.divide(crossed, driving, out=np.zeros_like(crossed), where=driving > 0).sum() / power)
-
-    return max((share(drives) for drives in zip(*(r.drives for r in lengths), strict=True)), default=0.0)

@@ -9,6 +9,7 @@ from math import sqrt
 import numpy as np
 
 from ...base import Array, Flags
+from .noise import NoiseFloor
 
 UNTOUCHED_SHARE = 0.5  # of the band that a filter passes, in which it changes next to nothing
 KERNEL_PERIODS = 4  # of the highest frequency that is compared, in what is averaged
@@ -24,24 +25,25 @@ class Weighing:
     each without phase.
 
     Attributes:
-        sigma: what a sample weighs: the standard deviation of white noise of the density that is there.
+        floor: the noise of the output.
         counted: which samples count.
         rate: of samples [Hz].
-        white_share: of the samples, that are independent.
-        passed: up to which the channel passes what a model foresees [Hz]; infinite as far as nobody knows.
     """
 
-    sigma: float
+    floor: NoiseFloor
     counted: Flags
     rate: float
-    white_share: float
-    passed: float
+
+    @cached_property
+    def sigma(self) -> float:
+        """What a sample weighs: the standard deviation of white noise of the density that is there."""
+        return self.floor.white(self.rate)
 
     @property
     def share(self) -> float:
         """The number of independent samples over that of samples."""
         if self._kernel is None:
-            return self.white_share
+            return self.floor.share(self.rate)
         return float(np.sum(self._kernel**2))
 
     @property
@@ -65,7 +67,7 @@ class Weighing:
     @property
     def highest(self) -> float:
         """Up to which frequency model and record are compared [Hz]."""
-        return UNTOUCHED_SHARE * self.passed
+        return UNTOUCHED_SHARE * self.floor.passed
 
     @property
     def is_whole(self) -> bool:

@@ -15,7 +15,7 @@ from inertance.identification import (
     Multisine,
     NoiseFloor,
     Record,
-    filtered_floors,
+    floors_beside,
     passed_band,
     sampled,
     spectral_floor,
@@ -129,20 +129,36 @@ def test_what_is_wrong_otherwise_is_no_filter() -> None:
 def test_noise_beside_a_better_model_takes_the_place_of_what_a_poorer_left() -> None:
     told, rng = stepping(5000, 4), np.random.default_rng(5)
     seen = low_passed(told + 0.01 * rng.standard_normal(5000), 40.0)
-    poor = told + 0.3 * np.sin(30 * np.cumsum(told) / RATE)
-    (first,) = filtered_floors([heard(poor, seen)])
+    poor = told + 0.1 * np.sin(30 * np.cumsum(told) / RATE)
+    (first,) = floors_beside([heard(poor, seen)])
     assert first.passed < inf
     assert not first.is_sure
-    (second,) = filtered_floors([heard(told, seen, first)])
+    (second,) = floors_beside([heard(told, seen, first)])
     assert second.white(RATE) == pytest.approx(0.01, rel=0.3)
     assert second.white(RATE) < first.white(RATE)
-    assert filtered_floors([heard(told, seen, second)]) == [second]
-    assert filtered_floors([heard(poor, seen, second)]) == [second]
+    assert floors_beside([heard(told, seen, second)]) == [second]
+    assert floors_beside([heard(poor, seen, second)]) == [second]
+
+
+def test_a_model_that_misses_motion_tells_of_no_filter() -> None:
+    """What follows an input, or is more than any sensor's noise, is for an effect: it was called noise."""
+    told, drive = stepping(5000, 8), 0.03 * np.random.default_rng(9).standard_normal(5000)
+    seen = low_passed(told, 40.0)
+    assert passed_band([heard(told, seen)]) < inf
+    for missed, driving in (
+        (drive, [drive]),
+        (8 * drive, []),
+        (0.3 * np.sin(30 * np.cumsum(told) / RATE), []),
+    ):
+        other = seen + low_passed(missed, 40.0)
+        assert passed_band([Heard(other - told, other, driving, spectral_floor(other, RATE), RATE)]) == inf
+    noisy = seen + low_passed(drive, 40.0)
+    assert passed_band([heard(told, noisy)]) == pytest.approx(40.0, rel=0.3)
 
 
 def test_stated_noise_stays_and_is_compared_in_the_band_that_passes() -> None:
     told = stepping(5000, 6)
-    (floor,) = filtered_floors([heard(told, low_passed(told, 40.0), NoiseFloor(0.01, "stated"))])
+    (floor,) = floors_beside([heard(told, low_passed(told, 40.0), NoiseFloor(0.01, "stated"))])
     assert (floor.sigma, floor.source) == (0.01, "stated")
     assert floor.passed == pytest.approx(40.0, rel=0.3)
 
@@ -151,7 +167,7 @@ def test_a_record_that_stands_still_and_one_without_noise_weigh_something() -> N
     told = stepping(5000, 7)
     still, seen = np.zeros(5000), low_passed(told, 40.0)
     records = [heard(told, seen), heard(seen, seen), heard(still, still, NoiseFloor(0.01, "spectrum"))]
-    moved, exact, nothing = filtered_floors(records)
+    moved, exact, nothing = floors_beside(records)
     assert moved.passed == exact.passed == nothing.passed < inf
     assert exact.sigma == pytest.approx(1e-6 * np.ptp(seen))
     assert nothing.sigma == 0.01

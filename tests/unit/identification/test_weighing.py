@@ -6,13 +6,14 @@ from math import inf
 
 import numpy as np
 import pytest
-from inertance.identification import Weighing
+from inertance.identification import NoiseFloor, Weighing
 
 COUNT, RATE, SIGMA = 3000, 250.0, 0.02
 
 
 def weighing(passed: float, counted: np.ndarray | None = None, count: int = COUNT) -> Weighing:
-    return Weighing(SIGMA, np.ones(count, dtype=bool) if counted is None else counted, RATE, 1.0, passed)
+    counts = np.ones(count, dtype=bool) if counted is None else counted
+    return Weighing(NoiseFloor(SIGMA, "stated", passed=passed), counts, RATE)
 
 
 def holed() -> np.ndarray:
