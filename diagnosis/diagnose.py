@@ -26,7 +26,7 @@ from .search.hearing import heard_beside
 from .search.joint_fit import JointFit
 from .search.model_comparison import Refit, gap_taken, unexplained
 from .search.revision import Rivals, pruned, revised
-from .search.reweighed import reweighed
+from .search.reweighed import is_slight, reweighed
 from .search.round import Round, go_on, run_round
 from .search.tried import Tried, without
 from .verdict.beyond import beyond_the_list
@@ -115,13 +115,16 @@ def diagnose(
             known = study, start, base, chosen, rounds
             heard = study if study.late() else _heard(study, chosen)
             if heard is not study:
-                again = reweighed(study, heard, start, base, chosen, rounds)
-                study, tried = heard, Tried(heard)
-                if again is None:
+                stays = bool(before) or is_slight(study.campaign, heard.campaign)
+                again = reweighed(heard, start, base, chosen, rounds) if stays else None
+                if again is not None:
+                    study, tried = heard, Tried(heard)
+                    start, base, chosen, rounds = again
+                elif not before:
+                    study, tried = heard, Tried(heard)
                     start, base = _refitted(study, chosen.parameters)
                     best, rivals, before, rounds, ahead = base, Rivals(), rounds, [], False
                     continue
-                start, base, chosen, rounds = again
             best, rivals = revised(pruned(chosen, tried), rounds, tried)
         notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]
         if known and study.late() and not best.effects:

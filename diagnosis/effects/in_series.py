@@ -24,14 +24,21 @@ CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its wi
 }
 
 
+def _has_flanks(site: Site) -> bool:
+    """Tell whether a site is a spring whose damper, which flanks would hold back, bears little."""
+    made = dict(site.spring)
+    damped = made.get("d", 0.0) * site.speed
+    return bool(made) and damped < criteria.FLANKS_DAMPER_SHARE * made[site.mechanics.stiffness] * site.travel
+
+
 def _width(site: Site, values: Values) -> dict[str, float]:
     _, name, halves = CLEARANCES[site.domain]
     return {name: halves * values["eps"]}
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    """Return the elastic flanks that a spring becomes; with anything else a stiff gap is in series."""
-    if site.spring:
+    """Return the elastic flanks that a spring becomes; with all else a stiff gap is in series."""
+    if _has_flanks(site):
         made = {"d": 0.0, **dict(site.spring), "b": 2 * values["eps"]}
         return [Exchange(site.path, site.family.ElastoBacklash(**made))]
     stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
@@ -44,7 +51,7 @@ def _play(site: Site, name: str, values: Values) -> list[Edit]:
 
 def _gap(site: Site, name: str, values: Values) -> dict[str, float]:
     """Return the width of the gap by its path."""
-    if site.spring:
+    if _has_flanks(site):
         return {f"{site.path}.b": 2 * values["eps"]}
     return {f"{name}.gap.{key}": value for key, value in _width(site, values).items()}
 

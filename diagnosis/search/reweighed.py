@@ -17,15 +17,12 @@ from .round import Round
 
 
 def reweighed(
-    before: Study, study: Study, start: Refit, base: Refit, chosen: Refit, rounds: Sequence[Round]
+    study: Study, start: Refit, base: Refit, chosen: Refit, rounds: Sequence[Round]
 ) -> tuple[Refit, Refit, Refit, list[Round]] | None:
-    """Return models and rounds of a study with what its records weigh since, where that hardly changed.
+    """Return models and rounds of a study with what its records weigh since; None if a model cannot be run.
 
-    The model that was chosen is fitted on from where it is, the others stay as they are. None is returned if
-    noise turned out much other, or if a model cannot be run.
+    The model that was chosen is fitted on from where it is, the others stay as they are.
     """
-    if not _is_slight(before.campaign, study.campaign):
-        return None
     crew = Crew(study)
     models = dict.fromkeys([start, base, *(m for done in rounds for m in (done.base, *done.fitted))])
     begun = {model: crew.ask(_weighed, model, model is chosen) for model in models}
@@ -47,7 +44,7 @@ def _weighed(study: Study, model: Refit, fitted: bool) -> Refit | None:
         return None
 
 
-def _is_slight(before: Campaign, after: Campaign) -> bool:
+def is_slight(before: Campaign, after: Campaign) -> bool:
     """Tell whether other noise changes so little what samples weigh that what was fitted stays."""
     pairs = zip(before.experiments, after.experiments, strict=True)
     changes = (abs(log(new.sigma[n] / old.sigma[n])) for old, new in pairs for n in before.outputs)

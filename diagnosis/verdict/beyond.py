@@ -39,10 +39,15 @@ def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
     if verdict.verdict not in OPEN_END:
         return _in_place(study, verdict, several=2)
     found = _in_whole(study, verdict)
-    if found.verdict not in OPEN_END and not _is_lost(found):
+    if _is_near(verdict) or (found.verdict not in OPEN_END and not _is_lost(found)):
         return found
     inner = _in_pieces(study, replace(verdict, sought=found.sought))
     return inner if inner.verdict not in OPEN_END or len(inner.effects) > len(found.effects) else found
+
+
+def _is_near(verdict: Verdict) -> bool:
+    """Tell whether free runs with effects that are named follow records: in pieces they would do no more."""
+    return bool(verdict.effects) and verdict.evidence.after.misfit < LOST_LEAST
 
 
 def _is_lost(verdict: Verdict) -> bool:

@@ -348,6 +348,35 @@ def test_a_spring_that_pushes_has_flanks_as_well() -> None:
     assert run["two.s"] == pytest.approx(wanted["two.s"], abs=1e-12)
 
 
+@pytest.mark.parametrize("eps", [1e-7, 2e-3])
+def test_play_behind_a_damper_that_bears_much_lets_it_relax(eps: float) -> None:
+    """Without a width there is none: flanks that only press would hold the damper back whatever it is."""
+    k, d, travel, rate = 2e4, 900.0, 0.01, 12.0
+    net = ia.Network(
+        "bench", frame=ia.Fixed(), specimen=ia.SpringDamper(k=k, d=d), slider=ia.Mass(m=1e-3),
+        cell=ia.ForceSensor(), stroke=ia.Position(exact=True, s_ref=lambda t: travel * np.sin(rate * t)),
+    )  # fmt: skip
+    net.connect(net.stroke.flange, net.cell.flange_a)
+    net.connect(net.cell.flange_b, net.slider.flange, net.specimen.flange_b)
+    net.connect(net.frame.flange, net.specimen.flange_a)
+    (bare,) = (site for site in sites_of(net) if site.path == "specimen")
+    site = replace(bare, speed=travel * rate / 2**0.5, travel=travel, force=2.5 * k * travel)
+    placed = Hypothesis(effect_of("backlash"), site, "backlash_1", {"eps": eps})
+    run = ia.simulate(edited(net, placed.edits), 0.6, step=1e-3)
+
+    step, length, wanted = 1e-5, 0.0, []
+    for n in range(round(0.6 / step) + 1):
+        place = travel * np.sin(rate * n * step)
+        relaxed = length / (1 + step * k / d)
+        swept = float(np.clip(relaxed, place - eps, place + eps))
+        wanted.append(0.0 if swept == relaxed else k * swept + d * (swept - length) / step)
+        length = swept
+    force = np.array(wanted)[::100]
+    later = run.time > 0.25
+    away = np.abs(run["cell.f"] - force)[later]
+    assert np.quantile(away, 0.95) < 0.02 * np.abs(force).max()  # it jumps as flanks touch
+
+
 def test_what_play_takes_off_a_spring_is_what_flanks_bear_less() -> None:
     s = np.linspace(-0.02, 0.02, 401)
     rest = np.zeros_like(s)

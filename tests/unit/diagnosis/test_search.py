@@ -124,6 +124,32 @@ def test_an_effect_found_before_noise_was_heard_again_is_kept(
     assert [(p.effect.kind, p.site.path) for p in found.effects] == [("coulomb_friction", "guide")]
 
 
+@pytest.mark.usefixtures("few_effects")
+def test_a_search_begins_once_more_however_often_noise_turns_out_other(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def less_noise(study: Study, model: Refit) -> Study:
+        if not model.effects:
+            return study
+        floors = [
+            {name: replace(floor, sigma=0.7 * floor.sigma) for name, floor in experiment.floors.items()}
+            for experiment in study.campaign.experiments
+        ]
+        return replace(study, campaign=study.campaign.with_floors(floors))
+
+    def noted(study: Any, best: Refit, done: Any, before: Any) -> Any:
+        beside.append(best.labels)
+        return search_round(study, best, done, before)
+
+    beside: list[list[str]] = []
+    search_round = search.run_round
+    monkeypatch.setattr(search, "heard_beside", less_noise)
+    monkeypatch.setattr(search, "run_round", noted)
+    found = verdict_on(cart, cart.rubbing())
+    assert beside.count([]) == 2
+    assert ("coulomb_friction", "guide") in [(p.effect.kind, p.site.path) for p in found.effects]
+
+
 def test_missing_friction_is_named_and_corrected(cart: Any, tmp_path: Path) -> None:
     told: list[str] = []
     found = verdict_on(cart, cart.rubbing(), report=told.append)
