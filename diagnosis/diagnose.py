@@ -116,7 +116,7 @@ def diagnose(
             heard = study if study.late() else _heard(study, chosen)
             if heard is not study:
                 stays = bool(before) or is_slight(study.campaign, heard.campaign)
-                again = reweighed(heard, start, base, chosen, rounds) if stays else None
+                again = reweighed(study, heard, start, base, chosen, rounds) if stays else None
                 if again is not None:
                     study, tried = heard, Tried(heard)
                     start, base, chosen, rounds = again

@@ -17,23 +17,47 @@ from .round import Round
 
 
 def reweighed(
-    study: Study, start: Refit, base: Refit, chosen: Refit, rounds: Sequence[Round]
+    before: Study, study: Study, start: Refit, base: Refit, chosen: Refit, rounds: Sequence[Round]
 ) -> tuple[Refit, Refit, Refit, list[Round]] | None:
     """Return models and rounds of a study with what its records weigh since; None if a model cannot be run.
 
-    The model that was chosen is fitted on from where it is, the others stay as they are.
+    The model that was chosen is fitted on from where it is, the others stay as they are. What is compared of
+    the records may be the same as `before`: what models missed that are but held against others is scaled.
     """
     crew = Crew(study)
-    models = dict.fromkeys([start, base, *(m for done in rounds for m in (done.base, *done.fitted))])
-    begun = {model: crew.ask(_weighed, model, model is chosen) for model in models}
+    needed = [start, base, chosen, *(done.base for done in rounds)]
+    others = [model for done in rounds for model in done.fitted]
+    run = needed if _compare_alike(before.campaign, study.campaign) else [*needed, *others]
+    begun = {model: crew.ask(_weighed, model, model is chosen) for model in dict.fromkeys(run)}
     found = {model: weighed for model, outcome in begun.items() if (weighed := outcome()) is not None}
-    if not {start, base, chosen, *(done.base for done in rounds)} <= {*found}:
+    if not {*needed} <= {*found}:
         return None
+    found |= {model: _scaled(before, study, model) for model in dict.fromkeys(others) if model not in run}
     again = [
         replace(done, base=found[done.base], fitted=[found[m] for m in done.fitted if m in found])
         for done in rounds
     ]
     return found[start], found[base], found[chosen], again
+
+
+def _compare_alike(before: Campaign, after: Campaign) -> bool:
+    """Tell whether the same is compared of all records, and only its noise is other."""
+    pairs = zip(before.experiments, after.experiments, strict=True)
+    return all(old.floors[n].passed == new.floors[n].passed for old, new in pairs for n in before.outputs)
+
+
+def _scaled(before: Study, study: Study, model: Refit) -> Refit:
+    """Return a model with what it missed in units of the noise that is known since."""
+    pairs = zip(before.campaign.experiments, study.campaign.experiments, strict=True)
+    ratios = [{n: old.weights[n].sigma / new.weights[n].sigma for n in old.weights} for old, new in pairs]
+    left = [
+        {name: ratio[name] * missed for name, missed in record.items()}
+        for ratio, record in zip(ratios, model.left, strict=True)
+    ]
+    train, test = left[: len(model.train)], left[len(model.train) :]
+    cost = model.strain + sum(float(r @ r) for record in train for r in record.values())
+    independent = sum(experiment.independent for experiment in study.judged)
+    return replace(model, train=train, test=test, cost=cost, independent=independent)
 
 
 def _weighed(study: Study, model: Refit, fitted: bool) -> Refit | None:

@@ -325,15 +325,19 @@ def test_models_that_stay_are_weighed_with_other_noise(cart: Any, ratio: float, 
     ]
     heard = replace(given, campaign=given.campaign.with_floors(louder))
     assert is_slight(given.campaign, heard.campaign) == stays
-    rounds = [searched.Round(base, [], [whole])]
-    again = reweighed(heard, base, base, whole, rounds)
+    rubbing = JointFit(given, given.campaign.start, [rail("guide", f_c=0.4)])
+    rounds = [searched.Round(base, [], [whole, rubbing.seen(rubbing.start)])]
+    again = reweighed(given, heard, base, base, whole, rounds)
     assert again is not None
     _, other, chosen, (done,) = again
     assert other.misfit == pytest.approx(base.misfit / ratio, rel=1e-6)
     assert other.parameters == base.parameters
     assert done.base is other
-    assert done.fitted == [chosen]
+    assert done.fitted[0] is chosen
     assert chosen.cost <= whole.cost
+    run = JointFit(heard, given.campaign.start, [rail("guide", f_c=0.4)]).seen(rubbing.start)
+    assert done.fitted[1].misfit == pytest.approx(run.misfit, rel=1e-6)
+    assert done.fitted[1].cost == pytest.approx(run.cost, rel=1e-6)
 
 
 @pytest.fixture
