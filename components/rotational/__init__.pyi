@@ -2088,13 +2088,14 @@ class TabulatedForce(Dissipative):
     ) -> None: ...
 
 class VariableDamper(Dissipative):
-    """Damper whose constant follows a signal: tau = (d + d_u u) w_rel.
+    """Damper whose constant follows a signal: tau = (d + d_u u + d_uu u^2) w_rel.
 
     Args:
         d_u: change of the damping constant with u [N.m.s/rad].
         useHeatPort: whether its losses leave as heat through heatPort.
         u: what the damping follows, a number, a function of time or Sampled data.
         d: damping constant at u = 0 [N.m.s/rad].
+        d_uu: change of it with the square of u [N.m.s/rad].
         phi_rel: angle between the flanges [rad], fixed start value.
         tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
         w_rel: relative speed of the flanges [rad/s], fixed start value.
@@ -2106,6 +2107,8 @@ class VariableDamper(Dissipative):
     """damping constant at u = 0 [N.m.s/rad]"""
     d_u: Any
     """change of the damping constant with u [N.m.s/rad]"""
+    d_uu: Any
+    """change of it with the square of u [N.m.s/rad]"""
     def __init__(
         self,
         *,
@@ -2113,6 +2116,7 @@ class VariableDamper(Dissipative):
         useHeatPort: bool = False,
         u: SignalValue = ...,
         d: ParameterValue = 0.0,
+        d_uu: ParameterValue = 0.0,
         phi_rel: Number = ...,
         tau: Number = ...,
         w_rel: Number = ...,
@@ -2296,7 +2300,7 @@ class CoulombFriction(Friction):
     ) -> None: ...
 
 class DriftingFriction(Friction):
-    """Friction whose level follows a signal: tau = (tau_c + tau_u u) sgn(w_rel) while sliding.
+    """Friction whose level follows a signal: tau = (tau_c + tau_u u + tau_uu u^2) sgn(w_rel) while sliding.
 
     u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
     `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
@@ -2310,6 +2314,7 @@ class DriftingFriction(Friction):
             stick).
         u: what the level follows, a number, a function of time or Sampled data.
         tau_c: friction torque at u = 0 [N.m].
+        tau_uu: change of it with the square of u [N.m].
         phi_rel: angle between the flanges [rad], fixed start value.
         tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
         w_rel: relative speed of the flanges [rad/s], fixed start value.
@@ -2322,6 +2327,8 @@ class DriftingFriction(Friction):
     """friction torque at u = 0 [N.m]"""
     tau_u: Any
     """change of friction torque with u [N.m]"""
+    tau_uu: Any
+    """change of it with the square of u [N.m]"""
     def sliding(self, speed: Any) -> Any: ...
     def __init__(
         self,
@@ -2332,6 +2339,7 @@ class DriftingFriction(Friction):
         regularised: Any = None,
         u: SignalValue = ...,
         tau_c: ParameterValue = 0.0,
+        tau_uu: ParameterValue = 0.0,
         phi_rel: Number = ...,
         tau: Number = ...,
         w_rel: Number = ...,

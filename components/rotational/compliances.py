@@ -83,14 +83,15 @@ class Damper(Dissipative):
 
 
 class VariableDamper(Dissipative):
-    """Damper whose constant follows a signal: tau = (d + d_u u) w_rel."""
+    """Damper whose constant follows a signal: tau = (d + d_u u + d_uu u^2) w_rel."""
 
     u = RealInput("1", "what the damping follows")
     d = parameter("N.m.s/rad", "damping constant at u = 0", default=0.0)
     d_u = parameter("N.m.s/rad", "change of the damping constant with u")
+    d_uu = parameter("N.m.s/rad", "change of it with the square of u", default=0.0)
 
     def equations(self) -> Stated:
-        yield self.tau == (self.d + self.d_u * self.u) * self.w_rel
+        yield self.tau == (self.d + self.d_u * self.u + self.d_uu * self.u**2) * self.w_rel
 
 
 class SpringDamper(Dissipative):

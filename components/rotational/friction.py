@@ -165,7 +165,7 @@ class LoadedFriction(Friction):
 
 
 class DriftingFriction(Friction):
-    """Friction whose level follows a signal: tau = (tau_c + tau_u u) sgn(w_rel) while sliding.
+    """Friction whose level follows a signal: tau = (tau_c + tau_u u + tau_uu u^2) sgn(w_rel) while sliding.
 
     u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
     `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
@@ -175,9 +175,10 @@ class DriftingFriction(Friction):
     u = RealInput("1", "what the level follows")
     tau_c = parameter("N.m", "friction torque at u = 0", default=0.0)
     tau_u = parameter("N.m", "change of friction torque with u")
+    tau_uu = parameter("N.m", "change of it with the square of u", default=0.0)
 
     def sliding(self, speed: Expression) -> Expression:
-        return self.dry(self.tau_c + self.tau_u * self.u) + 0 * speed
+        return self.dry(self.tau_c + self.tau_u * self.u + self.tau_uu * self.u**2) + 0 * speed
 
 
 class PositionDependentFriction(Friction):

@@ -2480,7 +2480,7 @@ class TabulatedForce(Dissipative):
     ) -> None: ...
 
 class VariableDamper(Dissipative):
-    """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
+    """Damper whose constant follows a signal: f = (d + d_u u + d_uu u^2) v_rel.
 
     u is what it depends on: the current of a valve or a coil, a temperature, time. A constant below 0 stands
     for what is taken from damping that is there.
@@ -2490,6 +2490,7 @@ class VariableDamper(Dissipative):
         useHeatPort: whether its losses leave as heat through heatPort.
         u: what the damping follows, a number, a function of time or Sampled data.
         d: damping constant at u = 0 [N.s/m].
+        d_uu: change of it with the square of u [N.s/m].
         s_rel: distance of the flanges [m], fixed start value.
         f: force between the flanges, positive when it pulls them together [N], fixed start value.
         v_rel: relative velocity of the flanges [m/s], fixed start value.
@@ -2501,6 +2502,8 @@ class VariableDamper(Dissipative):
     """damping constant at u = 0 [N.s/m]"""
     d_u: Any
     """change of the damping constant with u [N.s/m]"""
+    d_uu: Any
+    """change of it with the square of u [N.s/m]"""
     def __init__(
         self,
         *,
@@ -2508,6 +2511,7 @@ class VariableDamper(Dissipative):
         useHeatPort: bool = False,
         u: SignalValue = ...,
         d: ParameterValue = 0.0,
+        d_uu: ParameterValue = 0.0,
         s_rel: Number = ...,
         f: Number = ...,
         v_rel: Number = ...,
@@ -2814,7 +2818,7 @@ class CoulombFriction(Friction):
     ) -> None: ...
 
 class DriftingFriction(Friction):
-    """Friction whose level follows a signal: f = (f_c + f_u u) sgn(v_rel) while sliding.
+    """Friction whose level follows a signal: f = (f_c + f_u u + f_uu u^2) sgn(v_rel) while sliding.
 
     u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
     `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
@@ -2828,6 +2832,7 @@ class DriftingFriction(Friction):
             stick).
         u: what the level follows, a number, a function of time or Sampled data.
         f_c: friction force at u = 0 [N].
+        f_uu: change of it with the square of u [N].
         s_rel: distance of the flanges [m], fixed start value.
         f: force between the flanges, positive when it pulls them together [N], fixed start value.
         v_rel: relative velocity of the flanges [m/s], fixed start value.
@@ -2840,6 +2845,8 @@ class DriftingFriction(Friction):
     """friction force at u = 0 [N]"""
     f_u: Any
     """change of friction force with u [N]"""
+    f_uu: Any
+    """change of it with the square of u [N]"""
     def sliding(self, speed: Any) -> Any: ...
     def __init__(
         self,
@@ -2850,6 +2857,7 @@ class DriftingFriction(Friction):
         regularised: Any = None,
         u: SignalValue = ...,
         f_c: ParameterValue = 0.0,
+        f_uu: ParameterValue = 0.0,
         s_rel: Number = ...,
         f: Number = ...,
         v_rel: Number = ...,

@@ -83,7 +83,7 @@ class Damper(Dissipative):
 
 
 class VariableDamper(Dissipative):
-    """Damper whose constant follows a signal: f = (d + d_u u) v_rel.
+    """Damper whose constant follows a signal: f = (d + d_u u + d_uu u^2) v_rel.
 
     u is what it depends on: the current of a valve or a coil, a temperature, time. A constant below 0 stands
     for what is taken from damping that is there.
@@ -92,9 +92,10 @@ class VariableDamper(Dissipative):
     u = RealInput("1", "what the damping follows")
     d = parameter("N.s/m", "damping constant at u = 0", default=0.0)
     d_u = parameter("N.s/m", "change of the damping constant with u")
+    d_uu = parameter("N.s/m", "change of it with the square of u", default=0.0)
 
     def equations(self) -> Stated:
-        yield self.f == (self.d + self.d_u * self.u) * self.v_rel
+        yield self.f == (self.d + self.d_u * self.u + self.d_uu * self.u**2) * self.v_rel
 
 
 class SpringDamper(Dissipative):

@@ -161,7 +161,7 @@ class LoadedFriction(Friction):
 
 
 class DriftingFriction(Friction):
-    """Friction whose level follows a signal: f = (f_c + f_u u) sgn(v_rel) while sliding.
+    """Friction whose level follows a signal: f = (f_c + f_u u + f_uu u^2) sgn(v_rel) while sliding.
 
     u is what the level depends on: time, or a measured temperature. A level below zero counts as none; with
     `regularised` it may be negative, so that it stands for what a drift adds to, or takes from, friction that
@@ -171,9 +171,10 @@ class DriftingFriction(Friction):
     u = RealInput("1", "what the level follows")
     f_c = parameter("N", "friction force at u = 0", default=0.0)
     f_u = parameter("N", "change of friction force with u")
+    f_uu = parameter("N", "change of it with the square of u", default=0.0)
 
     def sliding(self, speed: Expression) -> Expression:
-        return self.dry(self.f_c + self.f_u * self.u) + 0 * speed
+        return self.dry(self.f_c + self.f_u * self.u + self.f_uu * self.u**2) + 0 * speed
 
 
 class PositionDependentFriction(Friction):

@@ -118,11 +118,15 @@ register(
     Effect(
         "viscous_drift",
         "across",
-        both(d=(*DAMPING, -inf), d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf)),
+        both(
+            d=(*DAMPING, -inf),
+            d_u=(("d_u", "N/m"), ("d_u", "N.m/rad"), -inf),
+            d_uu=(("d_uu", "N/(m.s)"), ("d_uu", "N.m/(rad.s)"), -inf),
+        ),
         _drifting,
-        lambda motion, _: [motion.v, motion.elapsed * motion.v],
+        lambda motion, _: [motion.elapsed**n * motion.v for n in range(3)],
         ages=True,
-        plain=("viscous_damping", (1.0, 0.0)),
+        plain=("viscous_damping", (1.0, 0.0, 0.0)),
     )
 )
 across("linear_stiffness", "Spring", both(k=STIFFNESS), lambda motion, _: [motion.s], unstretched)

@@ -108,10 +108,14 @@ register(
     Effect(
         "friction_drift",
         "across",
-        both(f_c=(*COULOMB, -inf), f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf)),
+        both(
+            f_c=(*COULOMB, -inf),
+            f_u=(("f_u", "N/s"), ("tau_u", "N.m/s"), -inf),
+            f_uu=(("f_uu", "N/s2"), ("tau_uu", "N.m/s2"), -inf),
+        ),
         _drifting,
-        lambda motion, _: [motion.direction, motion.elapsed * motion.direction],
+        lambda motion, _: [motion.elapsed**n * motion.direction for n in range(3)],
         ages=True,
-        plain=("coulomb_friction", (1.0, 0.0)),
+        plain=("coulomb_friction", (1.0, 0.0, 0.0)),
     )
 )

@@ -56,6 +56,23 @@ def test_a_drift_counts_from_where_a_run_began(cart: Any) -> None:
     assert found.effects[0].values["d_u"] == pytest.approx(1.5, rel=0.05)
 
 
+def test_a_drift_that_settles_is_one_that_bends(cart: Any) -> None:
+    """Oil warms up as a lag does: no line follows its damping over two time constants."""
+    net = ia.Network("cart", wall=ia.Fixed(), spring=ia.Spring(k=800.0), on=ia.signals.Constant(k=1.0))
+    net.add(guide=ia.VariableDamper(d=12.0, d_u=-6.0), oil=ia.signals.FirstOrder(T=3.0))
+    net.add(carriage=ia.Mass(m=2.0), push=ia.Force())
+    net.connect(net.wall.flange, net.spring.flange_a, net.guide.flange_a)
+    net.connect(net.carriage.flange, net.spring.flange_b, net.guide.flange_b, net.push.flange)
+    net.connect(net.on.y, net.oil.u).connect(net.oil.y, net.guide.u)
+    train, test = ([{"record": cart.measured(net, n)} for n in some] for some in ((1, 2), (3,)))
+    found = ia.diagnose(Campaign(cart.rig(), CHANNELS, PRIORS, train, test))
+    assert found.verdict == "effect"
+    (placed,) = found.effects
+    assert placed.label == "viscous_drift at guide"
+    assert placed.values["d_u"] < 0 < placed.values["d_uu"]
+    assert found.closed > 0.95
+
+
 def test_pieces_of_a_run_go_on_where_others_ended(cart: Any) -> None:
     whole = on_a_clock_of_its_own(cart.measured(warming(), 1), 100.0)
     first, second = whole.window(100.0, 103.0), replace(whole.window(103.2, 106.0), name="second piece")

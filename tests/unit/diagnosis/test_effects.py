@@ -236,12 +236,12 @@ def test_a_law_takes_over_what_it_has_in_common_with_another() -> None:
         Hypothesis(effect_of(kind), site, "x_1", values)
         for kind, values in (
             ("stribeck_friction", {"f_c": 0.1, "f_s": 0.3, "v_s": 0.2}),
-            ("friction_drift", {"f_c": 0.5, "f_u": 1e-6}),
+            ("friction_drift", {"f_c": 0.5, "f_u": 1e-6, "f_uu": 0.0}),
             ("position_ripple", {"f_sin": 1.0, "f_cos": 1.0, "period": 0.1}),
         )
     )
     assert stribeck.joined(drift) == pytest.approx({"f_c": 0.6, "f_s": 0.8, "v_s": 0.2})
-    assert drift.joined(stribeck) == pytest.approx({"f_c": 0.7, "f_u": 1e-6})
+    assert drift.joined(stribeck) == pytest.approx({"f_c": 0.7, "f_u": 1e-6, "f_uu": 0.0})
     assert stribeck.joined(thread) is None
     assert stribeck.joined(replace(drift, site=replace(site, path="elsewhere"))) is None
 

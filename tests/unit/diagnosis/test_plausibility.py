@@ -87,7 +87,7 @@ ALLOWED = {
     "a stiffness on a shaft that swings": ("linear_stiffness", at(travel=3.0), {"c": 2.0}),
     "hysteresis on a shaft that turns": ("hysteresis", at(travel=600 * np.pi), {"c": 10.0, "phi_y": 0.01}),
     "damping that grows on a shaft that turns": (
-        "viscous_drift", at(travel=600 * np.pi), {"d": 0.1, "d_u": 1e-3},
+        "viscous_drift", at(travel=600 * np.pi), {"d": 0.1, "d_u": 1e-3, "d_uu": 0.0},
     ),
     "a stiffness on a long way": ("linear_stiffness", at(SLIDING, travel=600 * np.pi), {"k": 2.0}),
     "friction below the largest force": ("coulomb_friction", at(force=1e-6), {"tau_c": 4.0}),
