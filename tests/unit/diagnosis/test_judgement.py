@@ -23,6 +23,7 @@ from inertance.diagnosis.search.revision import _is_needed, revised
 from inertance.diagnosis.search.round import Round
 from inertance.diagnosis.search.score_test import Candidate, screen
 from inertance.diagnosis.search.tried import Tried
+from inertance.diagnosis.verdict import beyond
 from inertance.diagnosis.verdict.all_records import alike_by_all
 from inertance.diagnosis.verdict.cautions import cautions, led_astray
 from inertance.diagnosis.verdict.decide import certain_part, decided
@@ -134,6 +135,24 @@ def partial(case: Case) -> Verdict:
 @pytest.fixture(scope="module")
 def unknown(case: Case) -> Verdict:
     return case.verdict(case.base, case.round(case.base, case.weak))
+
+
+@pytest.mark.parametrize(("left", "asked"), [(3.0, False), (30.0, True)])
+def test_nothing_is_sought_in_pieces_of_records_that_free_runs_follow(
+    case: Case, partial: Verdict, monkeypatch: pytest.MonkeyPatch, left: float, asked: bool
+) -> None:
+    pieces = list[Verdict]()
+
+    def noted(_: Study, verdict: Verdict) -> Verdict:
+        pieces.append(verdict)
+        return verdict
+
+    monkeypatch.setattr(beyond, "_in_whole", lambda _, verdict: verdict)
+    monkeypatch.setattr(beyond, "_in_pieces", noted)
+    after = with_more(case.friction, left)
+    found = replace(partial, evidence=replace(partial.evidence, after=after))
+    assert beyond.beyond_the_list(case.study, found).effects == partial.effects
+    assert bool(pieces) == asked
 
 
 def test_shares_are_of_the_signal_about_its_mean(case: Case, effect: Verdict) -> None:
