@@ -49,7 +49,8 @@ class Site:
         load: path of the flange through which the force comes that loads it; `moving` if not given.
         neighbours: paths of the sites at one of its nodes, whose forces may load it, too.
         rubs: whether dry friction acts between its flanges, whatever part that is of.
-        rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean.
+        rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean,
+            or where a spring is unstretched if inputs prescribe all motion.
         middle: middle of the range of the distance, in all its runs.
         speed, travel: usual relative speed, and half the range of the distance, in it; of a channel the
             largest size of its signal.
@@ -59,6 +60,7 @@ class Site:
         instant: whether only forces that depend on the present motion can act here.
         grounded: whether one of its flanges is held by the ground.
         spring: what it is made with, by name, if it is a linear spring, with or without a damper.
+        unstretched: distance at which a linear spring between its nodes bears nothing; None without one.
     """
 
     path: str
@@ -82,6 +84,7 @@ class Site:
     instant: bool = False
     grounded: bool = False
     spring: tuple[tuple[str, float], ...] = ()
+    unstretched: float | None = None
 
     @property
     def mechanics(self) -> Domain:
@@ -136,12 +139,21 @@ def _merged(group: list[Site]) -> Iterator[Site]:
     inert = [site for site in group if "node" in site.places]
     if acting:
         chosen = max(acting, key=lambda site: (site.path.count("."), site.rank))
-        yield replace(chosen, same=tuple(site.path for site in group if site is not chosen))
+        same = tuple(site.path for site in group if site is not chosen)
+        yield replace(chosen, same=same, unstretched=_unstretched(chosen, group))
         for site in acting:
             if site is not chosen and not site.holds(chosen):
                 yield replace(site, places=frozenset({"series", "loaded"}))
     for number, site in enumerate(inert):
         yield site if number == 0 and not acting else replace(site, places=site.places - {"across"})
+
+
+def _unstretched(site: Site, group: Sequence[Site]) -> float | None:
+    """Return where a spring of a site, or beside it, bears nothing; one beside it may face the other way."""
+    name = f"{site.mechanics.across}_rel0"
+    if site.spring:
+        return dict(site.spring)[name]
+    return 0.0 if any(dict(other.spring).get(name) == 0.0 for other in group) else None
 
 
 def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | None:

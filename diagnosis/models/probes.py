@@ -101,14 +101,18 @@ def motion_at(run: Result, number: int, site: Site) -> Motion:
     return Motion(run.time, run[s], run[v], run[f], run[f"{push}.a_rel"])
 
 
-def scaled(site: Site, motions: Sequence[Motion], resting: int | None = 0) -> Site:
-    """Return a site with the scales of how it moves; of the motions `resting` begins at rest, if one does."""
+def scaled(site: Site, motions: Sequence[Motion], resting: int | None = 0, led: bool = False) -> Site:
+    """Return a site with the scales of how it moves; of the motions `resting` begins at rest, if one does.
+
+    Where all motion is `led`, by inputs that prescribe it, its mean is no place of rest.
+    """
     lasting = sum(float(m.t[-1] - m.t[0]) for m in motions)
     speed = float(np.sqrt(sum(m.squared for m in motions) / lasting))
     force = float(np.abs(np.concatenate([m.f for m in motions])).max())
     travel = max(m.travel for m in motions)
     ends = min(float(m.s.min()) for m in motions), max(float(m.s.max()) for m in motions)
     usual = sum(m.distance * float(m.t[-1] - m.t[0]) for m in motions) / lasting
-    rest, middle = usual if resting is None else float(motions[resting].s[0]), sum(ends) / 2
+    there = site.unstretched if led and site.unstretched is not None else usual
+    rest, middle = there if resting is None else float(motions[resting].s[0]), sum(ends) / 2
     passes = max(float(np.abs(np.diff(m.s)).sum() / np.ptp(m.s)) if m.travel else inf for m in motions)
     return replace(site, rest=rest, middle=middle, speed=speed, force=force, travel=travel, passes=passes)

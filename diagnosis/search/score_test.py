@@ -102,7 +102,9 @@ def screen(
     ]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
     resting = next((n for n, experiment in enumerate(experiments) if experiment.initial == "rest"), None)
-    sites = surrounded([scaled(site, moved, resting) for site, moved in zip(sites, motions, strict=True)])
+    led = all(record.is_led for record in records)
+    moving = zip(sites, motions, strict=True)
+    sites = surrounded([scaled(site, moved, resting, led) for site, moved in moving])
     deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
     slopes = [record.slopes * np.array(deviations) for record in records]

@@ -246,6 +246,22 @@ def test_a_law_takes_over_what_it_has_in_common_with_another() -> None:
     assert stribeck.joined(replace(drift, site=replace(site, path="elsewhere"))) is None
 
 
+def test_a_spring_whose_motion_is_prescribed_is_at_rest_where_it_is_unstretched() -> None:
+    """The mean of a motion that is prescribed is no place at which a law turns."""
+    t = np.linspace(0.0, 1.0, 101)
+    there = Motion(t, 0.3 + 0.1 * np.sin(40 * t), t, t, t)
+    sites = {site.path: site for site in sites_of(cart())}
+    assert [scaled(sites[path], [there], None, led=True).rest for path in ("d1", "k2")] == [0.0, 0.0]
+    assert scaled(sites["k2"], [there]).rest == 0.3
+    longer = {site.path: site for site in sites_of(cart().with_values(k2=ia.Spring(k=1e3, s_rel0=0.2)))}
+    assert scaled(longer["k2"], [there], None, led=True).rest == 0.2
+    free = ia.Network("free", wall=ia.Fixed(), rail=ia.Damper(d=1.0), mass=ia.Mass(m=1.0))
+    free.connect(free.wall.flange, free.rail.flange_a).connect(free.rail.flange_b, free.mass.flange)
+    (rail,) = (site for site in sites_of(free) if site.path == "rail")
+    assert scaled(rail, [there], None, led=True).rest == pytest.approx(there.distance)
+    assert scaled(sites["k2"], [there], None).rest == pytest.approx(there.distance)
+
+
 def test_the_usual_speed_of_a_site_is_over_time_not_over_points() -> None:
     """Points crowd where it stands, as at the events of friction; one record lasts three times another."""
 
