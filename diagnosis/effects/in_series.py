@@ -27,8 +27,10 @@ CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its wi
 def _has_flanks(site: Site) -> bool:
     """Tell whether a site is a spring whose damper, which flanks would hold back, bears little."""
     made = dict(site.spring)
-    damped = made.get("d", 0.0) * site.speed
-    return bool(made) and damped < criteria.FLANKS_DAMPER_SHARE * made[site.mechanics.stiffness] * site.travel
+    if not made:
+        return False
+    sprung, damped = made[site.mechanics.stiffness] * site.travel, made.get("d", 0.0) * site.speed
+    return damped <= criteria.FLANKS_DAMPER_SHARE * sprung
 
 
 def _width(site: Site, values: Values) -> dict[str, float]:

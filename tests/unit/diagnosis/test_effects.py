@@ -340,6 +340,8 @@ def test_a_spring_with_play_has_elastic_flanks_and_no_part_more(damped: bool) ->
     placed = Hypothesis(effect_of("backlash"), site, "backlash_1", {"eps": 0.004})
     assert dict(placed.network_parameters) == {"coupling.b": 0.008}
     (edit,) = placed.edits
+    still = replace(placed, site=replace(site, speed=0.0, travel=0.0))
+    assert [str(one) for one in still.edits] == [str(edit)]
     changed = edited(net, [edit])
     assert {"coupling.c", "coupling.b"} <= set(changed.dae().parameters.index)
     assert [*changed.dae().state_names] == [*net.dae().state_names]
