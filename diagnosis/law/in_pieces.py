@@ -18,7 +18,6 @@ from ..criteria import (
     PIECE_WON_SHARE,
 )
 from ..effects.hypothesis import Hypothesis
-from ..models.network_predictor import NetworkPredictor
 from ..models.study import Study
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit
@@ -62,7 +61,7 @@ class InPieces:
         The missing force may be known. A model without states, as of a rig that prescribes all motion, loses
         nothing in free runs.
         """
-        if not NetworkPredictor(study.campaign, (), (), ()).dae.state_names:
+        if study.is_led:
             return None
         try:
             return cls(study, model, *best_law(study, model, known or force_of(study, model)))

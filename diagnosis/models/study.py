@@ -94,6 +94,11 @@ class Study:
         """Where in the model effects may hide."""
         return sites_of(self.campaign.network)
 
+    @cached_property
+    def is_led(self) -> bool:
+        """Whether inputs prescribe all motion, so that the model as given has no states."""
+        return not self.campaign.network.dae().state_names
+
     def screened(self) -> tuple[list[Experiment], float]:
         """Return the records by which effects are screened, and how many a sample of theirs stands for."""
         return self.campaign.training, 1.0
@@ -167,6 +172,11 @@ class FMUStudy(Study):
     def sites(self) -> list[Site]:
         """Its port."""
         return self.box.sites
+
+    @property
+    def is_led(self) -> bool:
+        """Whether inputs prescribe all motion: nobody knows."""
+        return False
 
     def screened(self) -> tuple[list[Experiment], float]:
         """Return the first record, which has to do."""

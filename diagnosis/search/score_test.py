@@ -102,7 +102,7 @@ def screen(
     ]
     motions = [[record.motion(number, site) for record in records] for number, site in enumerate(sites)]
     resting = next((n for n, experiment in enumerate(experiments) if experiment.initial == "rest"), None)
-    led = all(record.is_led for record in records)
+    led = resting is None and study.is_led
     moving = zip(sites, motions, strict=True)
     sites = surrounded([scaled(site, moved, resting, led) for site, moved in moving])
     deviations = [study.campaign.priors[name].scale for name in parameters]

@@ -100,11 +100,6 @@ class WhitenedRecord:
             number, force = forced[0], forced[1].force
             self.residual += self.to_inputs({push_of(number): force.at(self.time)[:, None]})[:, 0]
 
-    @property
-    def is_led(self) -> bool:
-        """Whether inputs prescribe all motion, so that nothing has a state."""
-        return not self._stand.state_names
-
     def _begin(self, forced: Forced, experiment: Experiment, rest: Callable[[], Array]) -> Array | None:
         """Return where a run with a force begins."""
         if experiment.initial == "rest":

@@ -13,8 +13,9 @@ from inertance.diagnosis.effects.effect import EFFECTS, Effect, Motion, Quantity
 from inertance.diagnosis.effects.hypothesis import Hypothesis, driven, sensed
 from inertance.diagnosis.effects.sites import GROUND, Site, sites_of
 from inertance.diagnosis.models.probes import scaled
-from inertance.diagnosis.search.score_test import _forces
-from inertance.identification import Campaign, Experiment, Record
+from inertance.diagnosis.models.study import study_of
+from inertance.diagnosis.search.score_test import _forces, screen
+from inertance.identification import Accuracy, Campaign, Experiment, Record
 from inertance.machines import Sinusoid, ge_wang
 
 
@@ -260,6 +261,25 @@ def test_a_spring_whose_motion_is_prescribed_is_at_rest_where_it_is_unstretched(
     (rail,) = (site for site in sites_of(free) if site.path == "rail")
     assert scaled(rail, [there], None, led=True).rest == pytest.approx(there.distance)
     assert scaled(sites["k2"], [there], None).rest == pytest.approx(there.distance)
+
+
+def test_what_has_states_of_its_own_leaves_motion_prescribed() -> None:
+    """Beside an effect with memory a model has states; its spring still rests where it is unstretched."""
+    net = ia.Network("bench", frame=ia.Fixed(), specimen=ia.SpringDamper(k=2e4, d=9.0), cell=ia.ForceSensor())
+    net.add(stroke=ia.Position(exact=True)).connect(net.stroke.flange, net.cell.flange_a)
+    net.connect(net.cell.flange_b, net.specimen.flange_b).connect(net.frame.flange, net.specimen.flange_a)
+    t = np.linspace(0.0, 2.0, 401)
+    x = 0.003 + 0.01 * np.sin(9 * t) * np.sin(2 * t)
+    F = 2.1e4 * x + 10 * np.gradient(x, t) + 0.01 * np.random.default_rng(1).standard_normal(len(t))
+    channels = {"x": {"input": "stroke.s_ref", "unit": "m"}, "F": {"output": "cell.f", "unit": "N"}}
+    train = [{"record": Record("run", t, {"x": x, "F": F}), "initial": "fit"}]
+    study = study_of(Campaign(net, channels, {"specimen.k": {"rel": 0.1}}, train), Accuracy())
+    assert study.is_led
+    (site,) = (site for site in study.sites if site.path == "specimen")
+    lagging = Hypothesis(effect_of("relaxation"), site, "relaxation_1", {"d": 20.0, "T": 0.05})
+    for effects in ([], [lagging]):
+        found = screen(study, study.campaign.start, effects)
+        assert {one.site.rest for one in found if one.effect.kind == "cubic_stiffness"} == {0.0}
 
 
 def test_the_usual_speed_of_a_site_is_over_time_not_over_points() -> None:
