@@ -173,7 +173,7 @@ class FMUStudy(Study):
         """Its port."""
         return self.box.sites
 
-    @property
+    @cached_property
     def is_led(self) -> bool:
         """Whether inputs prescribe all motion: nobody knows."""
         return False
