@@ -1,5 +1,6 @@
 from .changes import exchange as exchange
 from .csource import PLATFORMS as PLATFORMS
+from .csource import CLibrary as CLibrary
 from .csource import CProgram as CProgram
 from .csource import ToolchainError as ToolchainError
 from .csource import c_program as c_program

@@ -23,7 +23,7 @@ from ...base import Array, heed
 from ..dae import DAE
 from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.starting import Start
-from .library_cache import Library
+from .library_cache import CLibrary
 from .members import Members, Told
 from .model import CModel
 from .native import MOST_BETWEEN, LegTable, Record, check_sizes
@@ -89,7 +89,7 @@ class CrewProgram:
         return self.wide is not None and sys.platform != "win32"
 
     @cached_property
-    def best(self) -> Library:
+    def best(self) -> CLibrary:
         """The program with vectors, for the very processor it runs on.
 
         Raises:
@@ -97,9 +97,9 @@ class CrewProgram:
         """
         return self._with_vectors(("-march=native", f"-DPROCESSOR={_processor()}"))
 
-    def _with_vectors(self, more: Sequence[str] = ()) -> Library:
+    def _with_vectors(self, more: Sequence[str] = ()) -> CLibrary:
         texts, flags = self.wide or ({}, ())
-        return Library({**texts, **self.texts}, (*FLAGS, *flags, *more))
+        return CLibrary({**texts, **self.texts}, (*FLAGS, *flags, *more))
 
     @cached_property
     def library(self) -> Any:
@@ -109,7 +109,7 @@ class CrewProgram:
                 return self.best.load(_loaded)
             with suppress(ToolchainError):
                 return self._with_vectors().load(_loaded)
-        return Library(self.texts, FLAGS).load(_loaded)
+        return CLibrary(self.texts, FLAGS).load(_loaded)
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name not in ("library", "best")}

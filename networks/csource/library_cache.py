@@ -21,7 +21,7 @@ from .toolchain import Compilation, ToolchainError, toolchain
 Loaded = TypeVar("Loaded")
 
 
-class Library:
+class CLibrary:
     """C files on their way to a library, which a compiler makes beside what goes on.
 
     It is known by all that it is made of: every file, the compiler, its flags, the machine, its parts.
@@ -42,7 +42,7 @@ class Library:
         texts: Mapping[str, str],
         flags: Sequence[str],
         mark: str = "c",
-        parts: Sequence[Library] = (),
+        parts: Sequence[CLibrary] = (),
         suffix: str = ".so",
     ) -> None:
         self._texts, self._flags, self._parts, self._suffix = texts, flags, parts, suffix
@@ -122,7 +122,7 @@ class _Making:
         name: str,
         texts: Mapping[str, str],
         flags: Sequence[str],
-        parts: Sequence[Library],
+        parts: Sequence[CLibrary],
         suffix: str,
     ) -> None:
         self.process, self._flags, self._parts = os.getpid(), flags, parts

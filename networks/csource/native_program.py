@@ -10,7 +10,7 @@ from weakref import WeakKeyDictionary
 
 from ..flattening.flat import Flat
 from ..simulation.input_signals import SignalKey
-from .library_cache import Library
+from .library_cache import CLibrary
 from .model import CModel
 from .program import SOURCES, sources
 
@@ -28,7 +28,7 @@ class NativeProgram:
 
     def __init__(self) -> None:
         self._process: int | None = None
-        self._library: Library | None = None
+        self._library: CLibrary | None = None
         self._loaded: Any = None
 
     @property
@@ -53,22 +53,22 @@ class NativeProgram:
             self._library = None
         return self._loaded
 
-    def _written(self, closed: BoundDAE) -> Library:
+    def _written(self, closed: BoundDAE) -> CLibrary:
         if self._library is None:
             model = CModel(closed.dae, closed.functions, (), (), standalone=False)
             self._library = _library(model, closed.mark)
         return self._library
 
 
-def _library(model: CModel, mark: str) -> Library:
+def _library(model: CModel, mark: str) -> CLibrary:
     """Return a model with the core of its size class, or, too large for any, with a core of its own."""
     texts, core = model.texts(), sources((*SOURCES, "record.c", "native.c"))
     header = model.shared_header
     if header is None:
-        return Library(texts | core, FLAGS, mark)
-    shared = Library({"model.h": header} | core, (*FLAGS, *SHARED), "core", suffix=".o")
+        return CLibrary(texts | core, FLAGS, mark)
+    shared = CLibrary({"model.h": header} | core, (*FLAGS, *SHARED), "core", suffix=".o")
     texts["model.c"] += model.shared_sizes
-    return Library(texts, FLAGS, mark, [shared])
+    return CLibrary(texts, FLAGS, mark, [shared])
 
 
 def program_of(closed: BoundDAE) -> NativeProgram:

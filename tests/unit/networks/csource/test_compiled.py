@@ -11,7 +11,7 @@ import pytest
 from inertance import rotational
 from inertance.machines import Sinusoid
 from inertance.networks.csource import native
-from inertance.networks.csource.library_cache import Library
+from inertance.networks.csource.library_cache import CLibrary
 from inertance.networks.csource.toolchain import ToolchainError, compiler
 from inertance.networks.simulation.bound_dae import bound
 
@@ -289,7 +289,7 @@ def test_a_new_record_needs_no_new_compilation(monkeypatch: pytest.MonkeyPatch) 
     net = ia.Network("shaker", table=ia.Position(), mount=ia.SpringDamper(k=1e3, d=10.0), box=ia.Mass(m=2.0))
     dae = net.connect(net.table.flange, net.mount.flange_a).connect(net.mount.flange_b, net.box.flange).dae()
     ia.simulate(dae, 0.1, inputs={"table.s_ref": 0.0}, solver="compiled")
-    monkeypatch.setattr(Library, "load", lambda *_: pytest.fail("compiled"))
+    monkeypatch.setattr(CLibrary, "load", lambda *_: pytest.fail("compiled"))
     t = np.linspace(0, 2, 501)
     for w in (5.0, 20.0):
         record = ia.Sampled(t, 0.01 * np.sin(w * t))

@@ -11,7 +11,7 @@ import inertance as ia
 import pytest
 from inertance.base.kept_files import KeptFiles
 from inertance.networks.csource import library_cache
-from inertance.networks.csource.library_cache import Library
+from inertance.networks.csource.library_cache import CLibrary
 from inertance.networks.csource.size_class import most_of_class
 from inertance.networks.csource.toolchain import Compilation, ToolchainError
 
@@ -48,7 +48,7 @@ def size(path: Path) -> int:
 
 
 def test_the_same_c_is_compiled_once(folder: Path, compiled: list[Path]) -> None:
-    first, again = (Library(TEXTS, ()).load(size) for _ in range(2))
+    first, again = (CLibrary(TEXTS, ()).load(size) for _ in range(2))
     assert first == again > 0
     assert len(compiled) == 1
     assert [path.suffix for path in folder.iterdir()] == [".so"]
@@ -56,21 +56,21 @@ def test_the_same_c_is_compiled_once(folder: Path, compiled: list[Path]) -> None
 
 
 def test_whatever_differs_is_compiled_anew(compiled: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
-    Library(TEXTS, ()).load(size)
-    Library(TEXTS | {"unit.h": "#define ANSWER 43\n"}, ()).load(size)
-    Library(TEXTS, ("-DOTHER",)).load(size)
+    CLibrary(TEXTS, ()).load(size)
+    CLibrary(TEXTS | {"unit.h": "#define ANSWER 43\n"}, ()).load(size)
+    CLibrary(TEXTS, ("-DOTHER",)).load(size)
     monkeypatch.setenv("CFLAGS", "-O1 -DOTHER")
-    Library(TEXTS, ()).load(size)
+    CLibrary(TEXTS, ()).load(size)
     monkeypatch.setattr("platform.node", lambda: "elsewhere")  # where CFLAGS may mean another processor
-    Library(TEXTS, ()).load(size)
+    CLibrary(TEXTS, ()).load(size)
     assert len(compiled) == 5
 
 
 def test_a_damaged_library_is_replaced(folder: Path, compiled: list[Path]) -> None:
-    Library(TEXTS, ()).load(size)
+    CLibrary(TEXTS, ()).load(size)
     (kept,) = folder.iterdir()
     kept.write_bytes(kept.read_bytes()[:-1])
-    assert Library(TEXTS, ()).load(size) == size(kept) > 0
+    assert CLibrary(TEXTS, ()).load(size) == size(kept) > 0
     assert len(compiled) == 2
 
 
@@ -80,13 +80,13 @@ def test_a_library_that_does_not_load_is_compiled_anew(compiled: list[Path]) -> 
             raise OSError(f"{path}: for another machine")
         return size(path)
 
-    Library(TEXTS, ()).load(size)
-    assert Library(TEXTS, ()).load(load) > 0
+    CLibrary(TEXTS, ()).load(size)
+    assert CLibrary(TEXTS, ()).load(load) > 0
     assert len(compiled) == 2
 
 
 def test_it_is_compiled_beside_what_goes_on(folder: Path, compiled: list[Path]) -> None:
-    library = Library(TEXTS, ())
+    library = CLibrary(TEXTS, ())
     assert not library.is_ready()
     library.begin()
     library.begin()
@@ -101,14 +101,14 @@ def test_it_is_compiled_beside_what_goes_on(folder: Path, compiled: list[Path]) 
 def test_what_is_compiled_but_never_wanted_is_kept_and_leaves_nothing_else(
     folder: Path, compiled: list[Path]
 ) -> None:
-    library = Library(TEXTS, ())
+    library = CLibrary(TEXTS, ())
     library.begin()
     while not library.is_ready():
         sleep(0.01)
     del library  # as at the end of the process
     assert len(list(folder.iterdir())) == 1
     assert not compiled[0].parent.exists()
-    unfinished = Library(TEXTS, ("-DOTHER",))
+    unfinished = CLibrary(TEXTS, ("-DOTHER",))
     unfinished.begin()
     del unfinished
     assert len(list(folder.iterdir())) == 1
@@ -117,7 +117,7 @@ def test_what_is_compiled_but_never_wanted_is_kept_and_leaves_nothing_else(
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes that fork")
 def test_a_forked_process_does_not_wait_for_what_another_one_compiles(compiled: list[Path]) -> None:
-    library = Library(TEXTS, ())
+    library = CLibrary(TEXTS, ())
     library.begin()
     child = os.fork()
     if child == 0:
@@ -128,7 +128,7 @@ def test_a_forked_process_does_not_wait_for_what_another_one_compiles(compiled: 
 
 def test_c_that_does_not_compile_is_told_and_not_kept(folder: Path) -> None:
     with pytest.raises(ToolchainError, match="could not compile"):
-        Library({"unit.c": "no C at all"}, ()).load(size)
+        CLibrary({"unit.c": "no C at all"}, ()).load(size)
     assert not list(folder.iterdir())
 
 
@@ -171,8 +171,8 @@ def test_what_is_too_large_for_all_classes_has_a_core_of_its_own() -> None:
 def test_parts_are_compiled_before_what_they_are_linked_to(folder: Path, compiled: list[Path]) -> None:
     texts = {"whole.c": "int answer(void);\n" + SHOWN + "int doubled(void) { return 2 * answer(); }\n"}
     for flag in ("-DA", "-DB"):
-        part = Library(TEXTS, (), "part", suffix=".o")
-        whole = Library(texts, (flag,), parts=[part])
+        part = CLibrary(TEXTS, (), "part", suffix=".o")
+        whole = CLibrary(texts, (flag,), parts=[part])
         whole.begin()
         while not whole.is_ready():
             sleep(0.01)
@@ -185,7 +185,7 @@ def test_parts_that_cannot_be_kept_are_linked_all_the_same(
 ) -> None:
     monkeypatch.setattr(KeptFiles, "keep", lambda *_: None)
     texts = {"whole.c": "int answer(void);\n" + SHOWN + "int doubled(void) { return 2 * answer(); }\n"}
-    whole = Library(texts, (), parts=[Library(TEXTS, (), suffix=".o")])
+    whole = CLibrary(texts, (), parts=[CLibrary(TEXTS, (), suffix=".o")])
     assert whole.load(lambda path: ctypes.CDLL(str(path)).doubled()) == 84
     del whole
     assert not any(path.parent.exists() for path in compiled)
