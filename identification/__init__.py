@@ -26,6 +26,8 @@ from .fitting.least_squares import descent as descent
 from .fitting.outcome import Fit as Fit
 from .fitting.outcome import FitInterruptedError as FitInterruptedError
 from .fitting.problem import Optimum as Optimum
+from .fitting.steps import Steps as Steps
+from .fitting.steps import cutoff_of as cutoff_of
 from .fitting.suspects import likely_unit as likely_unit
 from .fitting.suspects import suspects as suspects
 from .fitting.suspects import told_of as told_of

@@ -2,32 +2,70 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from ...identification import Campaign, Heard, floors_beside
+import numpy as np
+
+from ...base import Array
+from ...identification import Campaign, Heard, Prediction, Steps, cutoff_of, floors_beside
 from ..models.study import Study
 from .joint_fit import JointFit
 from .model_comparison import Refit
+from .record_run import RecordRun
 
 
 def heard_beside(study: Study, model: Refit) -> Study:
     """Return the study with the noise that shows beside a model; itself if no other noise shows."""
-    campaign = study.campaign
+    rounded = _rounded(study, model)
+    campaign = rounded.campaign
     floors = [dict(experiment.floors) for experiment in campaign.experiments]
-    whole = _whole(study, model)
+    whole = _whole(rounded, model, rounded is not study)
     for name in campaign.outputs:
         for floor, own in zip(floors, floors_beside([*_heard(campaign, whole, name)]), strict=True):
-            floor[name] = own
-    if floors == [e.floors for e in campaign.experiments]:
+            floor[name] = replace(own, cutoff=floor[name].cutoff)
+    if floors == [e.floors for e in study.campaign.experiments]:
         return study
     return replace(study, campaign=campaign.with_floors(floors))
 
 
-def _whole(study: Study, model: Refit) -> Refit:
-    """Return a model as it leaves all of what was measured, what filters have changed, too."""
+def _rounded(study: Study, model: Refit) -> Study:
+    """Return the study with the filters that have rounded the steps of a model; itself if no other show."""
+    joint, campaign = JointFit(study, model.parameters, model.effects, model), study.campaign
+    runs = [joint.run_on(experiment) for experiment in campaign.training]
+    if not all(isinstance(run.found, Prediction) for run in runs):
+        return study
+    cutoffs = {name: _cutoff(runs, name) for name in campaign.outputs}
+    if all(cutoff == campaign.floors[name].cutoff for name, cutoff in cutoffs.items()):
+        return study
+    floors = [
+        {name: floor.behind(cutoffs[name]) for name, floor in experiment.floors.items()}
+        for experiment in campaign.experiments
+    ]
+    return replace(study, campaign=campaign.with_floors(floors))
+
+
+def _cutoff(runs: Sequence[RecordRun], name: str) -> float:
+    """Return the cut-off of the filter that has rounded the steps of a channel [Hz]."""
+    missed, steps = list[Array](), list[Steps]()
+    for run in runs:
+        assert isinstance(run.found, Prediction)
+        experiment, found = run.experiment, run.found.steps
+        weight = 1 / experiment.sigma[name]
+        sharp = run.seen[name] - found.rounding(name, experiment.floors[name].cutoff)
+        left = weight * (experiment.compared.values[name] - sharp)
+        missed.append(left - np.mean(left) if name in experiment.offset else left)
+        steps.append(replace(found, sizes={name: weight * found.sizes[name]}))
+    return cutoff_of(name, missed, steps, runs[0].experiment.rate)
+
+
+def _whole(study: Study, model: Refit, anew: bool) -> Refit:
+    """Return a model as it leaves all of what was measured, what filters have changed, too.
+
+    It is run `anew` where its steps are rounded otherwise.
+    """
     experiments = study.campaign.experiments
-    if all(experiment.whole is experiment for experiment in experiments):
+    if not anew and all(experiment.whole is experiment for experiment in experiments):
         return model
     campaign = study.campaign.with_floors([experiment.whole.floors for experiment in experiments])
     joint = JointFit(replace(study, campaign=campaign), model.parameters, model.effects, model)

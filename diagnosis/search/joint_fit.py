@@ -172,6 +172,10 @@ class JointFit:
         blocks = stretches(judged)
         return Refit(fitted, placed, found[:count], found[count:], cost, blocks, independent, starts, own)
 
+    def run_on(self, experiment: Experiment) -> RecordRun:
+        """Return the run of a record with the values to start from, and from where it is thought to begin."""
+        return self._run(self.start, experiment, None)
+
     def predicted(self, experiment: Experiment) -> dict[str, Array]:
         """Return what the start leaves of a record that is not of the fit: weighted residuals by channel.
 
@@ -207,11 +211,25 @@ class JointFit:
         begins is looked for as `begun` does by `drop`; if that is None, it begins as it was last found to,
         which saves slopes of the start.
         """
+        known = self.begins.get(id(experiment))
+        begins_as_known = experiment.initial == "rest" or (drop is None and known is not None)
+        run = self._run(vector, experiment, drop)
+        if known is not None and not slopes and not experiment.unknown and begins_as_known:
+            residual, nuisances = run.missed, known.slopes
+        else:
+            residual, nuisances = run.weighed
+        if experiment.unknown:
+            self.own[id(experiment)] = own_values(experiment, run.given, residual, nuisances)
+        columns = self._slopes(run) if slopes else np.zeros((len(residual), 0))
+        columns = np.pad(columns, [(0, len(residual) - len(columns)), (0, 0)])
+        left = projected(np.column_stack([residual, columns]), nuisances)
+        return left[:, 0], left[:, 1:]
+
+    def _run(self, vector: Array, experiment: Experiment, drop: float | None) -> RecordRun:
+        """Return the run of a record; arguments as of `linearise`."""
         parameters, effects = self.unpacked(vector)
         given = parameters | inserted(effects)
-        stand, known = self._driven(experiment, effects), self.begins.get(id(experiment))
-        begins_as_known = experiment.initial == "rest" or (drop is None and known is not None)
-        plain = not slopes and not experiment.unknown and begins_as_known
+        stand = self._driven(experiment, effects)
 
         def run_from(start: Array | None, own: Mapping[str, float]) -> RecordRun:
             key = vector.tobytes(), None if start is None else start.tobytes(), tuple(own.items())
@@ -223,17 +241,7 @@ class JointFit:
             self._last[id(experiment)] = key, run
             return run
 
-        run = self._begun(stand, run_from, experiment, given, drop)
-        if plain and known is not None:
-            residual, nuisances = run.missed, known.slopes
-        else:
-            residual, nuisances = run.weighed
-        if experiment.unknown:
-            self.own[id(experiment)] = own_values(experiment, run.given, residual, nuisances)
-        columns = self._slopes(run) if slopes else np.zeros((len(residual), 0))
-        columns = np.pad(columns, [(0, len(residual) - len(columns)), (0, 0)])
-        left = projected(np.column_stack([residual, columns]), nuisances)
-        return left[:, 0], left[:, 1:]
+        return self._begun(stand, run_from, experiment, given, drop)
 
     def _by_channel(self, experiment: Experiment, residual: Array) -> dict[str, Array]:
         """Return the residual of each channel, without the priors below them."""

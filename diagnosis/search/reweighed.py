@@ -43,7 +43,8 @@ def reweighed(
 def _compare_alike(before: Campaign, after: Campaign) -> bool:
     """Tell whether the same is compared of all records, and only its noise is other."""
     pairs = zip(before.experiments, after.experiments, strict=True)
-    return all(old.floors[n].passed == new.floors[n].passed for old, new in pairs for n in before.outputs)
+    floors = ((old.floors[n], new.floors[n]) for old, new in pairs for n in before.outputs)
+    return all(old.passed == new.passed and old.cutoff == new.cutoff for old, new in floors)
 
 
 def _scaled(before: Study, study: Study, model: Refit) -> Refit:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from math import inf
 from types import MappingProxyType
 
 import numpy as np
@@ -28,6 +29,7 @@ from ...networks import (
 from ..campaign.experiment import Experiment
 from ..records.noise import spectral_floor
 from ..records.record import Channel
+from .steps import Steps
 
 MOST_STEPS = 5000  # of the integrator for a sample: a model that takes more is far faster than its record
 START_SAMPLES = 20  # through which, at first, a parabola tells how a record begins
@@ -61,7 +63,7 @@ class Prediction:
     Attributes:
         time: instants of the record [s].
         at: the points of the run at these instants.
-        values: output channels at these instants, SI units.
+        values: output channels at these instants, steps rounded where a filter is known, SI units.
         run: the whole run, with its events and every other signal.
         stand: the network on the record.
         begins_anywhere: whether the states at the start were given, and do not follow from parameters.
@@ -83,6 +85,14 @@ class Prediction:
     def end(self) -> Array:
         """The states at the last instant."""
         return np.asarray(self.run.points.x[-1])
+
+    @cached_property
+    def steps(self) -> Steps:
+        """Where the channels jump, as no logger's filter shows it."""
+        before = np.flatnonzero(np.diff(self.run.time) == 0)
+        sides = (self.stand.variations.values(self.run, before + n) for n in (0, 1))
+        sizes = dict(zip(self.stand.outputs, np.subtract(*reversed([*sides])).T, strict=False))
+        return Steps(self.time, self.run.time[before], np.searchsorted(self.at, before + 1), sizes)
 
     @property
     def slopes(self) -> dict[str, Array]:
@@ -219,7 +229,11 @@ class RecordModel:
         # An event at a sample ends a hair's breadth after it: what holds from there on is taken.
         at = np.searchsorted(run.time, time + 1e-3 * step, side="right") - 1
         values = dict(zip(self.outputs, self.variations.values(run, at).T, strict=False))
-        return Prediction(time, at, values, run, self, start is not None)
+        found = Prediction(time, at, values, run, self, start is not None)
+        for name, floor in self.experiment.floors.items():
+            if floor.cutoff < inf:
+                values[name] = values[name] + found.steps.rounding(name, floor.cutoff)
+        return found
 
     def pushed(self, found: Prediction, changes: Mapping[str, Array]) -> Array:
         """Return what small changes of inputs change in the outputs: (instants, outputs, changes).

@@ -15,6 +15,7 @@ from .noise import (
     FEWEST_DENSITIES,
     LEAST_RANGE_SHARE,
     LEFT_BY_FIT,
+    QUIETEST_INSTANTS,
     SENSOR_STEPS,
     SPECTRUM,
     NoiseFloor,
@@ -39,7 +40,8 @@ def passed_band(records: Sequence[Heard]) -> float:
     Above, and all the way up, less was measured than the model foresees, and far less at the top: what
     friction makes has steps, and a filter has rounded them. A wrong gain takes away as much everywhere, and a
     model that misses what follows an input, or more than any sensor's noise, as a shaft gives, tells of no
-    filter. If what is missed falls from within an octave below, the filter begins there.
+    filter. If what is missed falls from within an octave below, the filter begins there; so it does at the
+    cut-off that rounds the steps of the model, where that is known.
 
     Args:
         records: of one channel.
@@ -56,7 +58,7 @@ def passed_band(records: Sequence[Heard]) -> float:
     missed = [density_of(record.residual, length) for record, length in lengths.items()]
     fallen = last_level(mean_of(weights, missed), last)
     last = fallen if 2 * fallen > last else last
-    passed = min(record.rate * last / length for record, length in lengths.items())
+    passed = min(min(record.rate * last / length, record.floor.cutoff) for record, length in lengths.items())
     powers = [passed_floor(r.residual, r.rate, passed, 0.0).white(r.rate) ** 2 for r in lengths]
     wrong = follows(lengths, slice(*(round(edge * last) for edge in COMPARED_BAND)))
     return inf if wrong or is_too_much(float(np.mean(powers)), lengths) else passed
@@ -93,7 +95,7 @@ def filtered_floors(records: Sequence[Heard], passed: float = inf) -> list[Noise
         records: of one channel.
         passed: up to which it passes what a model foresees [Hz].
     """
-    bands = [record.floor.band for record in records if record.floor.source in UNSURE]
+    bands = [record.floor.band for record in records if _is_unsure(record.floor)]
     band = max((band for band in bands if band < inf), default=inf)
     return [_filtered(record, band, passed) for record in records]
 
@@ -108,13 +110,18 @@ def _filtered(record: Heard, band: float, passed: float) -> NoiseFloor:
         least = LEAST_RANGE_SHARE * float(np.ptp(record.measured)) or floor.sigma
         left = passed_floor(record.residual, record.rate, passed, least)
         return left if narrower or _is_quieter(left, record) else floor
-    if floor.source not in UNSURE or band == inf:
+    if not _is_unsure(floor) or band == inf:
         return floor
     if floor.source == LEFT_BY_FIT:
         steps = replace(spectral_floor(record.measured), band=band)
         left = residual_floor(record.residual, record.rate, steps)
         return left if _is_quieter(left, record) else floor
     return residual_floor(record.residual, record.rate, replace(floor, band=min(floor.band, band)))
+
+
+def _is_unsure(floor: NoiseFloor) -> bool:
+    """Tell whether a filter may have left it, as it has if it is known to have smoothed quiet instants."""
+    return floor.source in UNSURE or (floor.source == QUIETEST_INSTANTS and floor.cutoff < inf)
 
 
 def _is_quieter(left: NoiseFloor, record: Heard) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, sqrt
 
 import numpy as np
@@ -50,12 +50,14 @@ class NoiseFloor:
         source: how it is known, in words.
         band: up to which a channel whose spectrum is empty above passes what it measures [Hz].
         passed: up to which it passes what a model foresees [Hz].
+        cutoff: of the filter that rounds the steps which a model foresees [Hz].
     """
 
     sigma: float
     source: str
     band: float = inf
     passed: float = inf
+    cutoff: float = inf
 
     @property
     def is_sure(self) -> bool:
@@ -79,6 +81,10 @@ class NoiseFloor:
     def white(self, rate: float) -> float:
         """Return the standard deviation of white noise of the density that this noise has in its band."""
         return self.sigma / float(np.sqrt(self.share(rate)))
+
+    def behind(self, cutoff: float) -> NoiseFloor:
+        """Return it behind a filter that rounds steps, above whose cut-off [Hz] next to none is left."""
+        return replace(self, cutoff=cutoff, band=self.band if self.is_stated else min(self.band, cutoff))
 
     def to_dict(self) -> dict[str, float | str | None]:
         """Return it as plain values, as in JSON files; no band, where none is known."""

@@ -31,12 +31,15 @@ CHANNELS = {
     "x": {"input": "actuator.s_ref", "unit": "m"},
     "F": {"output": "load_cell.f", "unit": "N"},
 }
-BUTTERWORTH, STEEP = (butter(n, f, fs=FINE, output="sos") for n, f in ((2, 40.0), (6, 50.0)))
+BUTTERWORTH, STEEP, HIGH = (
+    butter(n, f, fs=FINE, output="sos") for n, f in ((2, 40.0), (6, 50.0), (2, 100.0))
+)
 BESSEL = bessel(4, 30.0, fs=FINE, output="sos")
 LOGGERS: dict[str, Logger] = {
     "none": lambda values: values,
     "zero-phase": lambda values: np.asarray(sosfiltfilt(BUTTERWORTH, values, axis=0)),
     "causal": lambda values: np.asarray(sosfilt(BESSEL, values, axis=0)),
+    "high": lambda values: np.asarray(sosfiltfilt(HIGH, values, axis=0)),
     "steep": lambda values: np.asarray(sosfiltfilt(STEEP, values, axis=0)),
 }
 DROOP = {"causal": 0.05}  # of a Bessel filter at a third of its cutoff
