@@ -117,6 +117,7 @@ class Effect:
         displaces: whether it acts on what stands still, so that a machine rests elsewhere than without it.
         credible: whether values are those of such an effect, and do not only bend its law into another.
         plain: a special case: its kind, and what each size is then, over its one size, or over each of them.
+        likewise: values -> others at which it is the special case, too, that it is with these.
     """
 
     kind: str
@@ -138,6 +139,7 @@ class Effect:
     displaces: bool = False
     credible: Callable[[Values], bool] = field(default=lambda values: True)
     plain: tuple[str, tuple[float, ...] | tuple[tuple[float, ...], ...]] | None = None
+    likewise: Callable[[Values], list[dict[str, float]]] = field(default=lambda values: [])
 
     @property
     def is_static(self) -> bool:
@@ -168,13 +170,14 @@ class Effect:
         return [q for q in self.quantities[domain] if not q.shape]
 
     def widened(self, domain: str, extent: Extent, plain: Effect, values: Values) -> list[dict[str, float]]:
-        """Return values, by shape, at which it is its special case with the values given."""
+        """Return values at which it is its special case with the values given: by shape, then likewise."""
         assert self.plain is not None
         own = np.array([values[q.name] for q in plain.sizes(domain)])
         sizes = np.reshape(self.plain[1], (-1, len(own))) @ own
         named = dict(zip([q.name for q in self.sizes(domain)], sizes.tolist(), strict=True))
         kept = {q.name: values[q.name] for q in plain.quantities[domain] if q.shape}
-        return [named | kept] if kept else [named | shape for shape in self.shaped(domain, extent)]
+        found = [named | kept] if kept else [named | shape for shape in self.shaped(domain, extent)]
+        return [*found, *(other for values in found for other in self.likewise(values))]
 
     def narrowed(self, domain: str, plain: Effect, values: Values) -> dict[str, float]:
         """Return values of its special case, of the sizes that are nearest to its own."""

@@ -69,6 +69,18 @@ def _waves(motion: Motion, shape: Values, harmonics: int) -> list[Array]:
     return [wave(h * x) for h in range(1, harmonics + 1) for wave in (np.sin, np.cos)]
 
 
+def _as_overtone(values: Values) -> list[dict[str, float]]:
+    """Return a ripple's wave as the second and the third of a longer period."""
+    *waves, period = values
+    first = [values[name] for name in waves[:2]]
+    return [
+        dict.fromkeys(waves, 0.0)
+        | dict(zip(waves[2 * n - 2 : 2 * n], first, strict=True))
+        | {period: n * values[period]}
+        for n in (2, 3)
+    ]
+
+
 across(
     "position_ripple",
     "Ripple",
@@ -87,4 +99,5 @@ across(
     origin=lambda site: 0.0,
     displaces=True,
     plain=("position_ripple", tuple(map(tuple, np.eye(6, 2).tolist()))),
+    likewise=_as_overtone,
 )

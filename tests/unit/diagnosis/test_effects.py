@@ -185,7 +185,15 @@ def test_a_richer_law_begins_from_what_its_special_case_gave() -> None:
     ripple, harmonics = effect_of("position_ripple"), effect_of("harmonic_ripple")
     values = {"f_sin": 2.0, "f_cos": -1.0, "period": 0.013}
     zero = dict.fromkeys(("f_sin_2", "f_cos_2", "f_sin_3", "f_cos_3"), 0.0)
-    assert harmonics.widened("translational", site, ripple, values) == [values | zero]
+    first, *overtones = harmonics.widened("translational", site, ripple, values)
+    assert first == values | zero
+    s = np.linspace(-0.05, 0.05, 500)
+    motion = Motion(s, s, s, s, s)
+    wave = np.array(ripple.basis(motion, values)).T @ [2.0, -1.0]
+    for overtone, period in zip(overtones, (0.026, 0.039), strict=True):
+        sizes = [overtone[quantity.name] for quantity in harmonics.sizes("translational")]
+        assert np.array(harmonics.basis(motion, overtone)).T @ sizes == pytest.approx(wave)
+        assert overtone["period"] == pytest.approx(period)
     coulomb, dahl = effect_of("coulomb_friction"), effect_of("presliding_friction")
     begun = dahl.widened("translational", site, coulomb, {"f_c": 3.0})
     assert {start["f_c"] for start in begun} == {3.0}
