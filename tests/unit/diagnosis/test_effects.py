@@ -189,6 +189,8 @@ def test_a_richer_law_begins_from_what_its_special_case_gave() -> None:
     assert first == values | zero
     s = np.linspace(-0.05, 0.05, 500)
     motion = Motion(s, s, s, s, s)
+    assert ripple.basis is not None
+    assert harmonics.basis is not None
     wave = np.array(ripple.basis(motion, values)).T @ [2.0, -1.0]
     for overtone, period in zip(overtones, (0.026, 0.039), strict=True):
         sizes = [overtone[quantity.name] for quantity in harmonics.sizes("translational")]
