@@ -9,6 +9,7 @@ import numpy as np
 
 from ...base import Array
 from ...identification import Campaign, Heard, Prediction, Steps, cutoff_of, floors_beside
+from ..models.network_predictor import NetworkPredictor
 from ..models.study import Study
 from .joint_fit import JointFit
 from .model_comparison import Refit
@@ -32,9 +33,9 @@ def heard_beside(study: Study, model: Refit) -> Study:
 def _rounded(study: Study, model: Refit) -> Study:
     """Return the study with the filters that have rounded the steps of a model; itself if no other show."""
     joint, campaign = JointFit(study, model.parameters, model.effects, model), study.campaign
-    runs = [joint.run_on(experiment) for experiment in campaign.training]
-    if not all(isinstance(run.found, Prediction) for run in runs):
+    if not isinstance(joint.predictor, NetworkPredictor) or not joint.predictor.dae.hybrid:
         return study
+    runs = [joint.run_on(experiment) for experiment in campaign.training]
     cutoffs = {name: _cutoff(runs, name) for name in campaign.outputs}
     if all(cutoff == campaign.floors[name].cutoff for name, cutoff in cutoffs.items()):
         return study
@@ -46,7 +47,7 @@ def _rounded(study: Study, model: Refit) -> Study:
 
 
 def _cutoff(runs: Sequence[RecordRun], name: str) -> float:
-    """Return the cut-off of the filter that has rounded the steps of a channel [Hz]."""
+    """Return the cut-off of the filter that has rounded the steps of a channel [Hz], or that is known."""
     missed, steps = list[Array](), list[Steps]()
     for run in runs:
         assert isinstance(run.found, Prediction)
@@ -56,6 +57,8 @@ def _cutoff(runs: Sequence[RecordRun], name: str) -> float:
         left = weight * (experiment.compared.values[name] - sharp)
         missed.append(left - np.mean(left) if name in experiment.offset else left)
         steps.append(replace(found, sizes={name: weight * found.sizes[name]}))
+    if not any(found.sizes[name].any() for found in steps):
+        return runs[0].experiment.floors[name].cutoff
     return cutoff_of(name, missed, steps, runs[0].experiment.rate)
 
 

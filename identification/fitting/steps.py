@@ -74,8 +74,6 @@ def cutoff_of(name: str, missed: Sequence[Array], steps: Sequence[Steps], rate: 
         left = (r - s.rounding(name, cutoff) for r, s in zip(missed, steps, strict=True))
         return sum(float(r @ r) for r in left)
 
-    if not any(s.sizes[name].any() for s in steps):
-        return inf
     best = min((share * rate for share in CUTOFFS), key=squares)
     near = minimize_scalar(squares, bounds=(best / FINER, best * FINER), method="bounded")
     return float(near.x) if near.fun < ROUNDED_SHARE * squares(inf) else inf
