@@ -55,7 +55,10 @@ def _cutoff(runs: Sequence[RecordRun], name: str) -> float:
         weight = 1 / experiment.sigma[name]
         sharp = run.seen[name] - found.rounding(name, experiment.floors[name].cutoff)
         left = weight * (experiment.compared.values[name] - sharp)
-        missed.append(left - np.mean(left) if name in experiment.offset else left)
+        counted = experiment.weights[name].counted
+        if name in experiment.offset and counted.any():
+            left -= left[counted].mean()
+        missed.append(np.where(counted, left, np.nan))
         steps.append(replace(found, sizes={name: weight * found.sizes[name]}))
     if not any(found.sizes[name].any() for found in steps):
         return runs[0].experiment.floors[name].cutoff

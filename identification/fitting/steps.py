@@ -64,7 +64,8 @@ def cutoff_of(name: str, missed: Sequence[Array], steps: Sequence[Steps], rate: 
 
     Args:
         name: of the channel.
-        missed: by record, what a model leaves that does not know of a filter, in units of noise.
+        missed: by record, what a model leaves that does not know of a filter, in units of noise; NaN where
+            nothing is compared.
         steps: by record, where it jumps, sizes in these units, too.
         rate: of samples [Hz].
     """
@@ -72,7 +73,7 @@ def cutoff_of(name: str, missed: Sequence[Array], steps: Sequence[Steps], rate: 
 
     def squares(cutoff: float) -> float:
         left = (r - s.rounding(name, cutoff) for r, s in zip(missed, steps, strict=True))
-        return sum(float(r @ r) for r in left)
+        return sum(float(np.nansum(r**2)) for r in left)
 
     best = min((share * rate for share in CUTOFFS), key=squares)
     near = minimize_scalar(squares, bounds=(best / FINER, best * FINER), method="bounded")
