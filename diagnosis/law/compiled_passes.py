@@ -68,7 +68,7 @@ class CompiledPasses:
         self, courses: Sequence[Course], roughness: Roughness, passed: Passed, missed: Array
     ) -> tuple[Array, Array]:
         """Return what later points tell of the force and of its variance, (points, records, sites) each."""
-        force, variance = np.zeros((2, *missed.shape[:3]))
+        force, variance = (np.zeros(missed.shape[:3]) for _ in range(2))
         missed = np.ascontiguousarray(missed)
         for record, course in enumerate(courses):
             along = _Course(course, roughness)
