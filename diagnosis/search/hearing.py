@@ -62,7 +62,7 @@ def _cutoff(runs: Sequence[RecordRun], name: str) -> float:
         steps.append(replace(found, sizes={name: weight * found.sizes[name]}))
     if not any(found.sizes[name].any() for found in steps):
         return runs[0].experiment.floors[name].cutoff
-    return cutoff_of(name, missed, steps, runs[0].experiment.rate)
+    return cutoff_of(name, missed, steps, max(run.experiment.rate for run in runs))
 
 
 def _whole(study: Study, model: Refit, anew: bool) -> Refit:

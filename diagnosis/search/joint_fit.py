@@ -173,8 +173,11 @@ class JointFit:
         return Refit(fitted, placed, found[:count], found[count:], cost, blocks, independent, starts, own)
 
     def run_on(self, experiment: Experiment) -> RecordRun:
-        """Return the run of a record with the values to start from, and from where it is thought to begin."""
-        return self._run(self.start, experiment, None)
+        """Return the run of a record with the values to start from, and from where it is thought to begin.
+
+        Values of the record's own, and where it begins beside these, are looked for.
+        """
+        return self._run(self.start, experiment, criteria.START_DROP_RATIO if experiment.unknown else None)
 
     def predicted(self, experiment: Experiment) -> dict[str, Array]:
         """Return what the start leaves of a record that is not of the fit: weighted residuals by channel.

@@ -6,7 +6,11 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.identification import Campaign, Record
+from inertance.diagnosis.effects.effect import effect_of
+from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.models.study import study_of
+from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.identification import Accuracy, Campaign, Record
 from scipy.integrate import solve_ivp
 
 MASS, STIFFNESS, DAMPING, NOISE = 2.0, 410.0, 6.0, 2e-5
@@ -56,6 +60,20 @@ def entry(run: int, c: float) -> dict[str, Any]:
 def diagnosed(c: float) -> ia.diagnosis.Verdict:
     train, test = [entry(run, c) for run in (0, 2)], [entry(1, c)]
     return ia.diagnose(Campaign(model(), CHANNELS, PARAMETERS, train, test, noise={"x": NOISE}))
+
+
+def test_a_filter_is_heard_in_a_run_with_the_values_that_a_record_has_of_its_own() -> None:
+    """It was heard in one with those that had been assumed, which misses far more than steps."""
+    train = [entry(run, 15.0) for run in (0, 2)]
+    study = study_of(Campaign(model(), CHANNELS, PARAMETERS, train, noise={"x": NOISE}), Accuracy())
+    site = next(site for site in study.sites if "guide" in (site.path, *site.same))
+    damping = [Hypothesis(effect_of("quadratic_damping"), site, "quadratic_damping_1", {"c": 15.0})]
+    found = JointFit(study, study.campaign.start, damping).fitted()
+    again = JointFit(study, found.parameters, found.effects, found)
+    for experiment, own in zip(study.campaign.training, found.own, strict=True):
+        run = again.run_on(experiment)
+        assert run.given["left.s_rel0"] == pytest.approx(own["left.s_rel0"], abs=1e-5)
+        assert float(np.sqrt(np.mean(run.missed**2))) < 1.2
 
 
 def test_an_effect_is_found_beside_values_that_differ_by_record() -> None:
