@@ -9,7 +9,7 @@ import numpy as np
 
 from ...base import Array
 from .course import Course, Roughness
-from .passed import Passed
+from .passed import Passed, measured_of, widest
 
 
 def forward(courses: Sequence[Course], roughness: Roughness, keep: bool) -> Passed:
@@ -88,7 +88,7 @@ class _Stack:
     """Records of several lengths side by side; shorter ones wait at their ends."""
 
     def __init__(self, courses: Sequence[Course], roughness: Roughness) -> None:
-        self.courses, order = courses, roughness.order
+        order, seen = roughness.order, measured_of(courses)
         n, sites = courses[0].map.shape[1], courses[0].to_f.shape[2]
         self.shape = len(courses), sites, n, order
         self.points, self.outputs = max(len(c.t) for c in courses), courses[0].to_x.shape[1]
@@ -97,7 +97,7 @@ class _Stack:
             most = max(len(part) for part in parts)
             return np.stack([np.pad(p, [(0, most - len(p))] + [(0, 0)] * (p.ndim - 1)) for p in parts], 1)
 
-        width = max(c.columns.shape[2] for c in courses)
+        width = widest(courses)
         wide = [np.pad(c.columns, [(0, 0), (0, 0), (0, width - c.columns.shape[2])]) for c in courses]
         self.columns = stacked(wide)
         self.to_x, self.to_f = stacked([c.to_x for c in courses]), stacked([c.to_f for c in courses])
@@ -105,10 +105,8 @@ class _Stack:
         self.map = stacked([c.map for c in courses])
         for number, course in enumerate(courses):
             self.map[len(course.map) :, number] = np.eye(n)
-        self.weight = np.full((self.points, len(courses), self.outputs), 2 * UNSEEN)
-        for number, course in enumerate(courses):
-            self.weight[: len(course.t), number] = np.where(course.measured, 1.0, 2 * UNSEEN)
-        self.measured: Any = (self.weight < UNSEEN).any(axis=1)
+        self.weight = np.where(seen, 1.0, 2 * UNSEEN)
+        self.measured: Any = seen.any(axis=1)
         steps = stacked([np.diff(c.t) for c in courses])
         kept, added = zip(*(roughness.over(step) for step in steps.T), strict=True)
         self.kept, self.added = np.stack(kept, 1), np.stack(added, 1)
