@@ -135,7 +135,7 @@ STANDSTILL_SECONDS = 0.2  # [s] that a standstill lasts, longer than any reversa
 # Laws made smooth enough to be run, at scales that no record shows
 REVERSAL_SPEED_RATIO = 0.01  # [rms speed] within which friction that cannot stick changes sides; data
 STICKING_SPEED_RATIO = 0.001  # [rms speed] within which friction at a port is smooth; data
-FLANKS_DAMPER_SHARE = 0.1  # [force of a spring] of its damper, from which on it relaxes in play; theory
+FLANKS_DAMPER_SHARE = 0.02  # [force of a spring] of its damper, from which on it relaxes in play; data
 STOP_DEFLECTION_RATIO = 1e-3  # [travel] deflection of a stop under the largest force of its site; data
 OIL_FORCE_RATIO = 1e-4  # [largest force] of the oil in a clearance at the usual speed; data
 PLAY_FORCE_RATIO = 0.02  # [largest force] at which play is taken up; data
