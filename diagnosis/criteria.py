@@ -82,6 +82,7 @@ RIPPLE_PEAK_POINTS = 4  # [1] in a peak of the residual over distance; theory: 2
 RIPPLE_PERIODS = 24  # [1] tried between them; effort
 HARMONICS_PER_TRAVEL = 4, 60  # [1] the same with harmonics, which are any law at all over one period; data
 HARMONIC_PERIODS = 12  # [1] tried between them, as the fit starts from a ripple without; effort
+WAVES_LEAST_SHARE = 0.01  # [power] of waves beside an overtone, below which it is a ripple of its own; theory
 FRICTION_PERIOD_RATIOS = 0.6, 2.0, 6.0  # [half the range of the site]; effort: fits converge from each
 YIELD_TRAVEL_RATIOS = 0.04, 0.15, 0.6, 2.0  # [half the range of the site]; effort
 YIELD_EXPONENTS = 1.0, 2.0, 4.0  # [1] how sharply hysteresis yields; effort

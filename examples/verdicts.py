@@ -51,8 +51,8 @@ def with_friction() -> Network:
 
 
 def with_a_stop() -> Network:
-    """Return the carriage with a soft stop 12 mm to one side, which it strikes now and then."""
-    net = rig(k=820.0).add(stop=ElastoGap(k=4e4, d=60.0, s_rel0=-0.012))
+    """Return the carriage with a rubber stop 12 mm to one side, which it strikes now and then."""
+    net = rig(k=820.0).add(stop=ElastoGap(k=2e4, d=5.0, s_rel0=-0.012))
     net.connect(net.wall.flange, net.stop.flange_a)
     return net.connect(net.stop.flange_b, net.carriage.flange)
 

@@ -81,6 +81,14 @@ def _as_overtone(values: Values) -> list[dict[str, float]]:
     ]
 
 
+def _has_waves(values: Values) -> bool:
+    """Tell whether a ripple is more than one overtone, which would be a plain one of a shorter period."""
+    *waves, _ = values.values()
+    first, *overtones = np.square(waves).reshape(-1, 2).sum(axis=1)
+    strongest = max(overtones)
+    return first + sum(overtones) - strongest >= criteria.WAVES_LEAST_SHARE * strongest
+
+
 across(
     "position_ripple",
     "Ripple",
@@ -99,5 +107,6 @@ across(
     origin=lambda site: 0.0,
     displaces=True,
     plain=("position_ripple", tuple(map(tuple, np.eye(6, 2).tolist()))),
+    credible=_has_waves,
     likewise=_as_overtone,
 )

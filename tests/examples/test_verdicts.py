@@ -24,7 +24,7 @@ def test_a_stop_is_a_law_of_position(example: Any) -> None:
     assert found.verdict == "law"
     assert (found.law.site.path, found.law.variables) == ("guide", ("position",))
     pressed, free = found.law.grid.axes[0].basis(np.array([-0.014, 0.0])) @ found.law.values
-    assert pressed == pytest.approx(-80.0, rel=0.15)  # 2 mm beyond where the stop begins
+    assert pressed == pytest.approx(-40.0, rel=0.15)  # 2 mm beyond where the stop begins
     assert abs(free) < 1.0
 
 

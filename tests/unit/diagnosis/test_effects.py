@@ -396,10 +396,13 @@ def test_a_spring_that_pushes_has_flanks_as_well() -> None:
     assert run["two.s"] == pytest.approx(wanted["two.s"], abs=1e-12)
 
 
-@pytest.mark.parametrize("eps", [1e-7, 2e-3])
-def test_play_behind_a_damper_that_bears_much_lets_it_relax(eps: float) -> None:
-    """Without a width there is none: flanks that only press would hold the damper back whatever it is."""
-    k, d, travel, rate = 2e4, 900.0, 0.01, 12.0
+@pytest.mark.parametrize(("eps", "d"), [(1e-7, 900.0), (2e-3, 900.0), (2e-3, 70.0)])
+def test_play_behind_a_damper_that_bears_a_share_lets_it_relax(eps: float, d: float) -> None:
+    """Without a width there is none: flanks that only press would hold the damper back whatever it is.
+
+    They would miss 4 % of the force as they touch where the damper bears but 3 % of it.
+    """
+    k, travel, rate = 2e4, 0.01, 12.0
     net = ia.Network(
         "bench", frame=ia.Fixed(), specimen=ia.SpringDamper(k=k, d=d), slider=ia.Mass(m=1e-3),
         cell=ia.ForceSensor(), stroke=ia.Position(exact=True, s_ref=lambda t: travel * np.sin(rate * t)),
@@ -422,7 +425,7 @@ def test_play_behind_a_damper_that_bears_much_lets_it_relax(eps: float) -> None:
     force = np.array(wanted)[::100]
     later = run.time > 0.25
     away = np.abs(run["cell.f"] - force)[later]
-    assert np.quantile(away, 0.95) < 0.02 * np.abs(force).max()  # it jumps as flanks touch
+    assert away.max() < 0.01 * np.abs(force).max()
 
 
 def test_what_play_takes_off_a_spring_is_what_flanks_bear_less() -> None:

@@ -66,6 +66,16 @@ def leaving(residual: Array) -> Refit:
     return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, blocks, len(residual))
 
 
+def test_an_overtone_alone_is_a_ripple_of_its_own() -> None:
+    credible = effect_of("harmonic_ripple").credible
+    names = [f"f_{wave}{n}" for n in ("", "_2", "_3") for wave in ("sin", "cos")]
+    alone = dict.fromkeys(names, 0.0)
+    assert credible(alone | {"f_sin": 1.0, "period": 0.01})
+    assert credible(alone | {"f_sin_2": 1.0, "f_cos_3": 0.2, "period": 0.01})
+    assert not credible(alone | {"f_sin_2": -3.77, "f_sin_3": -0.11, "period": 0.018})
+    assert not credible(alone | {"f_cos_3": 1.0, "f_sin": 0.05, "period": 0.018})
+
+
 @pytest.mark.parametrize(
     ("plain", "richer", "worth"), [(2.0, 1.9, False), (2.0, 1.6, True), (1.05, 1.0, True)]
 )
