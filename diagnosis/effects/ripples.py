@@ -86,7 +86,7 @@ def _has_waves(values: Values) -> bool:
     *waves, _ = values.values()
     first, *overtones = np.square(waves).reshape(-1, 2).sum(axis=1)
     strongest = max(overtones)
-    return first + sum(overtones) - strongest >= criteria.WAVES_LEAST_SHARE * strongest
+    return bool(first + sum(overtones) - strongest >= criteria.WAVES_LEAST_SHARE * strongest)
 
 
 across(
