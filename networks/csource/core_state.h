@@ -88,6 +88,7 @@ struct Core {
     double rates[ROOM(NY)], variables[ROOM(NW)], indicators[ROOM(NG)];
 
     double seen[ROOM(NG)], fastest[ROOM(NG)]; /* sizes of indicators and of their rates */
+    double largest[ROOM(NZ)]; /* sizes of algebraic unknowns, against which their errors count */
     double raised[ROOM(NG)]; /* where indicators stood after the last events, if they were falling */
     int muted[ROOM(NG)]; /* risen above zero, but not allowed to fire */
     int open[ROOM(NG)], open_count; /* those that can fire in the present modes, muted or not */

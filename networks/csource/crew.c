@@ -45,6 +45,7 @@ static void spread(Crew *crew, int k) {
         w->seen[i][k] = c->seen[i];
         w->fastest[i][k] = c->fastest[i];
     }
+    for (int i = 0; i < NZ; i++) w->largest[i][k] = c->largest[i];
     crew->fresh &= ~(1u << k);
 }
 
@@ -63,6 +64,7 @@ static void gather(Crew *crew, int k) {
         c->seen[i] = w->seen[i][k];
         c->fastest[i] = w->fastest[i][k];
     }
+    for (int i = 0; i < NZ; i++) c->largest[i] = w->largest[i][k];
     crew->lane[k].ahead = 0;
 }
 
@@ -95,6 +97,10 @@ static void commit_lanes(Crew *crew, unsigned lanes, const double ends[]) {
         w->left.rate[i] = chosen(done, w->last.rate[i], w->left.rate[i]);
         w->seen[i] = chosen(done, w->now_seen[i], w->seen[i]);
         w->fastest[i] = chosen(done, w->now_fastest[i], w->fastest[i]);
+    }
+    for (int i = 0; i < NZ; i++) {
+        wide size = wide_greater(wide_fabs(w->y[NX + i]), w->largest[i]);
+        w->largest[i] = chosen(done, size, w->largest[i]);
     }
     for (int k = 0; k < LANES; k++) {
         if (!(lanes >> k & 1)) continue;

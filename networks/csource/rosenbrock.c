@@ -75,11 +75,14 @@ static int stages(Core *c, double h) {
     return 1;
 }
 
+/* The error of a step over what is allowed. That of an algebraic unknown counts against the largest it has
+ * been: where it bends as it crosses zero, a step errs by a share of how far it moves, however short. */
 static double measure(Core *c, double rtol, double atol) {
     const Step *s = &c->step;
     double sum = 0, most = -1;
     for (int i = 0; i < NY; i++) {
         double size = fmax(fabs(s->begin[i]), fabs(s->end[i]));
+        if (i >= NX) size = fmax(size, c->largest[i - NX]);
         double share = c->stage[STAGES - 1][i] / (rtol * size + atol * model_nominal[i]);
         sum += share * share;
         if (share * share > most) {

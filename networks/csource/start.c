@@ -114,6 +114,7 @@ static CoreStatus seek(Core *c, const Given *given, StartRoom *room) {
 /* Forget what has been seen of events. */
 static void forget(Core *c) {
     core_forget_sizes(c);
+    memset(c->largest, 0, sizeof c->largest);
     memset(c->raised, 0, sizeof c->raised);
     memset(c->muted, 0, sizeof c->muted);
 }

@@ -28,6 +28,7 @@ typedef struct {
 
     WideWatched left, last; /* indicators where the step begins and ends */
     wide seen[ROOM(NG)], fastest[ROOM(NG)], now_seen[ROOM(NG)], now_fastest[ROOM(NG)];
+    wide largest[ROOM(NZ)];
 
     /* Scratch. */
     wide slope[ROOM(NSLOPE)], by_time[ROOM(NY)], lu[ROOM(NF * NF)];

@@ -108,6 +108,7 @@ static void lanes_measure(Wide *w, double rtol, double atol) {
     w->worst = (wide){0};
     for (int i = 0; i < NY; i++) {
         wide size = wide_greater(wide_fabs(w->y[i]), wide_fabs(w->end[i]));
+        if (i >= NX) size = wide_greater(size, w->largest[i - NX]);
         wide share = w->stage[STAGES - 1][i] / (rtol * size + atol * model_nominal[i]);
         share *= share;
         sum += share;

@@ -408,6 +408,41 @@ def test_a_spring_that_is_all_but_rigid_does_not_blur_events() -> None:
     assert stiffer.stats["steps"] < 2 * stiff.stats["steps"]
 
 
+def rubbing_by_its_load() -> ia.Network:
+    """A geared motor turns a load on a spring; what the gear passes on, an unknown, presses a bearing."""
+    net = ia.Network(
+        "drive",
+        ground=rotational.Fixed(),
+        torque=rotational.Torque(tau=lambda t: 1.5 * ca.sin(2.3 * t) + 1.1 * ca.sin(7.1 * t + 1)),
+        motor=rotational.Inertia(J=2e-3),
+        shaft=rotational.SpringDamper(c=50.0, d=0.06),
+        gear=rotational.IdealGear(ratio=5.0),
+        cell=rotational.TorqueSensor(),
+        rub=rotational.LoadedFriction(mu=0.2, regularised=0.06),
+        load=rotational.Inertia(J=0.08),
+        spiral=rotational.SpringDamper(c=3.4, d=0.15),
+    )
+    net.connect(net.torque.flange, net.motor.flange, net.shaft.flange_a)
+    net.connect(net.shaft.flange_b, net.gear.flange_a)
+    net.connect(net.gear.flange_b, net.cell.flange_a, net.rub.flange_b)
+    net.connect(net.cell.flange_b, net.load.flange, net.spiral.flange_b)
+    net.connect(net.ground.flange, net.spiral.flange_a, net.rub.flange_a)
+    return net.connect(net.cell.tau, net.rub.load)
+
+
+def test_an_unknown_that_bends_as_it_crosses_zero_takes_no_shorter_steps_the_finer_its_tolerance() -> None:
+    """They became a hundred billionth of what is needed; to 1e-14 no step was short enough."""
+    dae = rubbing_by_its_load().dae()
+    runs = [ia.simulate(dae, 20.0, solver="compiled", rtol=1e-5, atol=atol) for atol in (1e-8, 1e-12, 1e-14)]
+    steps = [run.stats["steps"] for run in runs]
+    assert max(steps) < 1.05 * min(steps)
+    exact = ia.simulate(dae, 20.0, solver="idas", rtol=1e-8, atol=1e-10)
+    for run in runs:
+        for name in ("load.w", "cell.tau"):
+            size = np.abs(exact[name]).max()
+            np.testing.assert_allclose(run[name], exact[name], rtol=0, atol=1e-4 * size)
+
+
 def test_a_library_that_lays_out_numbers_otherwise_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     class _Shorter(ctypes.Structure):
         _fields_ = native._Run._fields_[:-1]
