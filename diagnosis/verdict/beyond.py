@@ -233,11 +233,12 @@ def _alone(study: Study, found: Sought) -> Sought | None:
 
 
 def _sought_without(study: Study, model: Refit, parts: Sequence[Hypothesis]) -> Sought | None:
-    """Return the law at the site of some effects of a model that takes their place."""
+    """Return the law at the site of some effects of a model that takes their place; None if none stands."""
     less: Refit | None = model
     for placed in parts:
         less = less and without(study, next(p for p in less.effects if p.label == placed.label), less)
     if less is None:
         return None
     study.tell(f"looking for a law in place of {' and '.join(placed.label for placed in parts)}")
-    return in_place(study, model, parts, less)
+    found = in_place(study, model, parts, less)
+    return found if found is not None and found.model is not None else None

@@ -422,3 +422,13 @@ def test_a_class_holds_what_is_as_good_in_the_place_of_either_effect(case: Case)
     told = decided(case.study, case.start, case.base, both, rounds, [], {label: [worse]})
     assert told.verdict == "effect"
     assert told.equivalent == ()
+
+
+def test_a_law_that_no_run_follows_takes_no_effects_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Beside another law it was taken all the same, which ended the diagnosis in an error without words."""
+    placed: Any = SimpleNamespace(label="position_ripple at guide")
+    model: Any = SimpleNamespace(effects=[placed])
+    study: Any = SimpleNamespace(tell=lambda line: None)
+    monkeypatch.setattr(beyond, "without", lambda study, placed, model: model)
+    monkeypatch.setattr(beyond, "in_place", lambda *given: SimpleNamespace(law=object(), model=None))
+    assert beyond._sought_without(study, model, [placed]) is None
