@@ -44,8 +44,9 @@ def record(net: ia.Network, seed: int) -> Record:
     [
         {"f_sin": 0.9, "f_cos": -1.0, "f_sin_2": -1.2, "f_cos_2": -0.9, "f_cos_3": 1.0},
         {"f_sin": 0.8, "f_sin_2": 0.3, "f_cos_3": -1.3},
+        {"f_sin": 0.09, "f_sin_2": 1.2},
     ],
-    ids=["second", "third"],
+    ids=["second", "third", "weak first"],
 )
 def test_the_period_of_the_first_wave_is_found_though_another_is_stronger(waves: dict[str, float]) -> None:
     records = [{"record": record(bench(**waves), seed)} for seed in (1, 2, 3)]
