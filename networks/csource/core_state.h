@@ -18,6 +18,7 @@
 #define ROOM(n) ((n) > 0 ? (n) : 1) /* C knows no empty arrays */
 #endif
 #define MESSAGE 1024
+#define FADING 0.99 /* of the size of an algebraic unknown from step to step */
 
 /* As fmax and fmin, whose calls cost more than they do; a number that is none must come second. */
 static inline double core_larger(double a, double b) { return a > b ? a : b; }
@@ -88,7 +89,7 @@ struct Core {
     double rates[ROOM(NY)], variables[ROOM(NW)], indicators[ROOM(NG)];
 
     double seen[ROOM(NG)], fastest[ROOM(NG)]; /* sizes of indicators and of their rates */
-    double largest[ROOM(NZ)]; /* sizes of algebraic unknowns, against which their errors count */
+    double largest[ROOM(NZ)]; /* lately, of algebraic unknowns: their errors count against that */
     double raised[ROOM(NG)]; /* where indicators stood after the last events, if they were falling */
     int muted[ROOM(NG)]; /* risen above zero, but not allowed to fire */
     int open[ROOM(NG)], open_count; /* those that can fire in the present modes, muted or not */

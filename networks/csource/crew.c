@@ -99,7 +99,7 @@ static void commit_lanes(Crew *crew, unsigned lanes, const double ends[]) {
         w->fastest[i] = chosen(done, w->now_fastest[i], w->fastest[i]);
     }
     for (int i = 0; i < NZ; i++) {
-        wide size = wide_greater(wide_fabs(w->y[NX + i]), w->largest[i]);
+        wide size = wide_greater(wide_fabs(w->y[NX + i]), FADING * w->largest[i]);
         w->largest[i] = chosen(done, size, w->largest[i]);
     }
     for (int k = 0; k < LANES; k++) {

@@ -75,8 +75,8 @@ static int stages(Core *c, double h) {
     return 1;
 }
 
-/* The error of a step over what is allowed. That of an algebraic unknown counts against the largest it has
- * been: where it bends as it crosses zero, a step errs by a share of how far it moves, however short. */
+/* The error of a step over what is allowed. That of an algebraic unknown counts against the largest it was
+ * lately: where it bends as it crosses zero, a step errs by a share of how far it moves, however short. */
 static double measure(Core *c, double rtol, double atol) {
     const Step *s = &c->step;
     double sum = 0, most = -1;

@@ -111,7 +111,7 @@ static CoreStatus seek(Core *c, const Given *given, StartRoom *room) {
     return CORE_OK;
 }
 
-/* Forget what has been seen of events. */
+/* Forget what has been seen of events and of unknowns. */
 static void forget(Core *c) {
     core_forget_sizes(c);
     memset(c->largest, 0, sizeof c->largest);

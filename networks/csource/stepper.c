@@ -160,7 +160,7 @@ static void step_was_taken(Core *c, Travel *travel) {
 static void commit(Core *c, double t) {
     memcpy(c->y, c->step.end, sizeof c->y);
     memcpy(c->rates, c->end_rates, sizeof c->rates);
-    for (int i = 0; i < NZ; i++) c->largest[i] = core_larger(fabs(c->y[NX + i]), c->largest[i]);
+    for (int i = 0; i < NZ; i++) c->largest[i] = core_larger(fabs(c->y[NX + i]), FADING * c->largest[i]);
     core_stale(c);
     c->t = t;
     c->fresh = FRESH_ALGEBRA | FRESH_RATES | FRESH_LEFT;
