@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from acquisition import BITS, Instrument, record
 from assembly import Rig
-from effects import Effect, Sized, draw, signals, typical_of
+from effects import Effect, Sized, draw, rivals, signals, typical_of
 from excitations import DURATION, excitation
 from plan import Draft
 from rigs import RIGS
@@ -25,11 +25,12 @@ WITHHELD = Path(__file__).parents[2] / "cli" / "withheld"  # what `inertance dem
 
 @dataclass(frozen=True)
 class Truth:
-    """What a case really is."""
+    """What a case really is; `alike` holds, for each effect, kinds and sites that are as good an answer."""
 
     rig: Rig
     values: dict[str, float]
     effects: list[Sized]
+    alike: list[list[tuple[str, str]]]
     noise: Array
     gap: float
 
@@ -69,16 +70,19 @@ def _truth(draft: Draft, rng: np.random.Generator) -> tuple[Truth, list[Drive]]:
             excitation(shape, size * rig.amplitude, rig.band, rng, rig.prescribed)
             for shape, size in TRAIN + TEST
         ]
-        scale = Scale(rig, values, [drives[0], drives[2]], typical_of(rig, drives[0]), draft.noise)
+        shown = [drives[0], drives[2]]
+        weight = len(drives) / len(shown)
+        scale = Scale(rig, values, shown, typical_of(rig, drives[0]), draft.noise, weight=weight)
         if not wanted:
-            return Truth(rig, values, [], scale.noise, 0.0), drives
+            return Truth(rig, values, [], [], scale.noise, 0.0), drives
         first = draw(kind, place, sites, rng)
         size = scale.size(first, draft.severity)
         effects = [(first, size)] if size is not None else []
         if effects and wanted == 2:
             effects += _second(draft, rig, effects[0], scale, rng)
         if len(effects) == wanted:
-            return Truth(rig, values, effects, scale.noise, scale.gap(effects)[0]), drives
+            alike = [[] if draft.verdict == "unknown" else scale.alike(*e, rivals(rig)) for e in effects]
+            return Truth(rig, values, effects, alike, scale.noise, scale.gap(effects)[0]), drives
     raise RuntimeError(f"no option of {draft} gives the wanted gap")
 
 
@@ -148,9 +152,10 @@ def _label(draft: Draft, truth: Truth) -> dict[str, Any]:
         {
             **asdict(effect),
             "size": size,
-            "answers": [[kind, site] for kind in kinds(effect, truth.rig) for site in effect.sites],
+            "answers": [[kind, site] for kind in kinds(effect, truth.rig) for site in effect.sites]
+            + [list(answer) for answer in alike],
         }
-        for effect, size in truth.effects
+        for (effect, size), alike in zip(truth.effects, truth.alike, strict=True)
     ]
     return {
         "verdict": verdict,

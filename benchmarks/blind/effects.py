@@ -14,6 +14,7 @@ from stepper import Array, Drive, Element, Row, simulate
 
 Rng = np.random.Generator
 Shape = dict[str, float]
+Offer = tuple[str, str, tuple[str, ...]]  # kind, place, sites
 UNKNOWN = ("impacts", "lead_error", "jam", "varying_ratio")
 
 
@@ -44,8 +45,8 @@ class Typical:
     load: float
 
 
-def places(rig: Rig) -> list[tuple[str, str, tuple[str, ...]]]:
-    """Return every (kind, place, sites) of the vocabulary that a rig offers."""
+def places(rig: Rig) -> list[Offer]:
+    """Return every offer of the vocabulary that a rig offers."""
     found = []
     for place, kinds in rig.kinds.items():
         for kind in kinds:
@@ -58,8 +59,18 @@ def places(rig: Rig) -> list[tuple[str, str, tuple[str, ...]]]:
     return found
 
 
-def outside(rig: Rig) -> list[tuple[str, str, tuple[str, ...]]]:
-    """Return every (kind, place, sites) a rig offers that the vocabulary lacks."""
+def forces_on(rig: Rig) -> list[Offer]:
+    """Return a force that stays, on each motion of a rig."""
+    return [("constant_force", place, motion.sites) for place, motion in rig.motions.items()]
+
+
+def rivals(rig: Rig) -> list[Offer]:
+    """Return what a diagnosis may take an effect for: all a rig offers, forces that stay, a late command."""
+    return [*places(rig), *forces_on(rig), ("actuator_delay", rig.input, (rig.input,))]
+
+
+def outside(rig: Rig) -> list[Offer]:
+    """Return every offer of a rig offers that the vocabulary lacks."""
     moving = [(place, motion.sites) for place, motion in rig.motions.items() if any(motion.b)]
     found = [(kind, place, sites) for kind in ("impacts", "jam") for place, sites in moving]
     if rig.warp:
@@ -109,7 +120,7 @@ def signals(
     """Return what a perfect instrument would see, input first, (steps, channels), at the stepping rate."""
     commanded = drive
     for effect, size in effects:
-        if effect.kind in OF_INPUTS:
+        if effect.place == rig.input:
             drive = _acted(effect, size, drive, step)
     rows, assembly = assembled(rig, values, effects, typical)
     y = simulate(assembly.system(), drive, rows, step)
@@ -157,7 +168,7 @@ def first_guess(effect: Effect, rig: Rig, drive: Drive, step: float = STEP) -> f
         return 1e-3 * rig.scale
     if effect.kind == "actuator_dead_zone":
         return 0.05 * float(np.std(drive.u))
-    return {"sensor_delay": 1e-3, "actuator_lag": 1e-3}.get(effect.kind, 0.02)
+    return {"sensor_delay": 1e-3, "actuator_delay": 1e-3, "actuator_lag": 1e-3}.get(effect.kind, 0.02)
 
 
 def _sites(rig: Rig, place: str, kind: str) -> tuple[str, ...]:
@@ -264,6 +275,7 @@ ACROSS: dict[str, Maker] = {
     "cubic_stiffness": lambda s, t, _: ("POWER_OF_TRAVEL", (s * t.force / t.travel**3, 3.0)),
     "bilinear_stiffness": _bilinear,
     "hysteresis": lambda s, t, q: ("IWAN", (s * t.force / t.travel, q["yield"] * 2 * t.travel)),
+    "constant_force": lambda s, t, q: ("CONSTANT", (q["sign"] * s * t.force,)),
     "impacts": _impacts,
     "jam": _jam,
 }
@@ -273,7 +285,14 @@ def _acted(effect: Effect, size: float, drive: Drive, step: float) -> Drive:
     """Return what an actuator does of what it is told; dead zones are for forces."""
     if effect.kind == "actuator_dead_zone":
         return Drive(drive.u - np.clip(drive.u, -size, size), drive.w, drive.wd, drive.wdd)
-    return Drive(*(lagged(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
+    size, shift = (size, lagged) if effect.kind == "actuator_lag" else (effect.shape["sign"] * size, late)
+    return Drive(*(shift(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
+
+
+def late(signal: Array, delay: float, step: float) -> Array:
+    """Return a signal as it was a delay before."""
+    t = np.arange(len(signal)) * step
+    return np.interp(t - delay, t, signal)
 
 
 def lagged(signal: Array, lag: float, step: float) -> Array:
@@ -289,7 +308,7 @@ def sensed(effect: Effect, size: float, signal: Array, usual: Typical, step: flo
     t = np.arange(len(signal)) * step
     sign = effect.shape.get("sign", 1.0)
     if effect.kind == "sensor_delay":
-        return np.interp(t - size, t, signal)
+        return late(signal, sign * size, step)
     if effect.kind == "sensor_gain":
         return signal * (1 + sign * size)
     if effect.kind == "sensor_bias":

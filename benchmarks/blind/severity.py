@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+from alike import Rivals
 from assembly import Rig, Values
-from effects import Effect, Sized, Typical, first_guess, signals
+from effects import Effect, Offer, Sized, Typical, first_guess, signals
 from excitations import STEP
 from stepper import Array, Drive
 
 PRIOR = 0.2
 COARSE = 2
+REST = 8.0  # s, in which what always acts has come to rest before a record begins
 
 
 class Scale:
     """Measures gaps on some records of a rig with given parameters, in units of each channel's noise.
 
-    It steps at 10 kHz, which is enough for a size. `rel` is how uncertain parameters are, PRIOR if not given.
+    It steps at 10 kHz, which is enough for a size. `rel` is how uncertain parameters are, PRIOR if not given;
+    `weight` how many samples of all records there are for one that is looked at.
     """
 
     def __init__(
@@ -28,8 +31,9 @@ class Scale:
         typical: Mapping[str, Typical],
         noise: float,
         rel: Mapping[str, float] | None = None,
+        weight: float = 1.0,
     ) -> None:
-        self.rig, self.values, self.typical = rig, values, typical
+        self.rig, self.values, self.typical, self.weight = rig, values, typical, weight
         self.rel = np.array([rel[name] if rel else PRIOR for name in values])
         self.drives = [Drive(*(x[::COARSE] for x in (d.u, d.w, d.wd, d.wdd))) for d in drives]
         clean = self._seen(values, [])
@@ -40,8 +44,8 @@ class Scale:
 
     def gap(self, effects: list[Sized]) -> tuple[float, float]:
         """Return rms of the change over noise, what parameters can explain taken off, and before it was."""
-        change = self._scaled(self._seen(self.values, effects)) - self._clean
-        left = change - self._slopes @ (self._projector @ change)
+        change = self._change(effects)
+        left = self._left(change)
         return tuple(float(np.sqrt(np.mean(x**2))) for x in (left, change))  # type: ignore[return-value]
 
     def size(self, effect: Effect, severity: float) -> float | None:
@@ -56,19 +60,30 @@ class Scale:
             size *= float(np.clip(severity / max(gap, 1e-12), 0.1, 10))
         return None
 
+    def alike(self, effect: Effect, size: float, offers: Sequence[Offer]) -> list[tuple[str, str]]:
+        """Return kinds and sites that change the records as `effect` does, to less than all can tell."""
+        rivals = Rivals(lambda e, s: self._left(self._change([(e, s)], REST)), self._guess, self.weight)
+        return rivals.of(effect, self._left(self._change([(effect, size)])), offers, self.rig.motions)
+
+    def _change(self, effects: list[Sized], rest: float = 0.0) -> Array:
+        return self._scaled(self._seen(self.values, effects, rest)) - self._clean
+
+    def _left(self, change: Array) -> Array:
+        """Return what the parameters cannot explain of a change over noise."""
+        return change - self._slopes @ (self._projector @ change)
+
     def _noise(self, clean: list[Array], noise: float) -> Array:
         return noise * np.sqrt(np.mean(np.concatenate(clean) ** 2, axis=0))
 
     def _guess(self, effect: Effect) -> float:
         return first_guess(effect, self.rig, self.drives[0], COARSE * STEP)
 
-    def _seen(self, values: Values, effects: list[Sized]) -> list[Array]:
+    def _seen(self, values: Values, effects: list[Sized], rest: float = 0.0) -> list[Array]:
         step = COARSE * STEP
-        every = round(1e-3 / step)
-        return [
-            signals(self.rig, values, drive, effects, self.typical, step)[::every, 1:]
-            for drive in self.drives
-        ]
+        every, before = round(1e-3 / step), round(rest / step)
+        rested = [Drive(*(np.pad(x, (before, 0)) for x in (d.u, d.w, d.wd, d.wdd))) for d in self.drives]
+        seen = [signals(self.rig, values, drive, effects, self.typical, step) for drive in rested]
+        return [fine[before::every, 1:] for fine in seen]
 
     def _scaled(self, seen: list[Array]) -> Array:
         return np.concatenate([(y / self.noise).ravel() for y in seen])

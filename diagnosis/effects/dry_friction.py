@@ -43,9 +43,13 @@ def _beside(site: Site) -> dict[str, float]:
 
 
 def _loaded(site: Site, name: str, values: Values) -> list[Edit]:
-    """Return friction by a force that arrives at a site, not by what friction leaves of it."""
+    """Return friction by a force that arrives at a site, not by what friction leaves of it.
+
+    It arrives from what is joined to the site, or through `load`, which may be the site's own flange.
+    """
     friction = site.family.LoadedFriction(**_smooth(site), **values)
-    moving = site.moving if site.load else f"{name}_load.flange_a"
+    beside = {"": f"{name}_load.flange_a", site.moving: f"{name}_load.flange_b"}
+    moving = beside.get(site.load, site.moving)
     return [
         Insert(site.load or site.moving, f"{name}_load", site.family.ForceSensor()),
         *between(name, friction, site.fixed, moving),

@@ -34,8 +34,9 @@ class SitedEffect:
 
     @property
     def label(self) -> str:
-        """Kind and site."""
-        return f"{self.effect.kind} at {self.site.path}"
+        """Kind and site, and through which flange the force comes that loads it, if not its own."""
+        by = f" by {self.site.load}" if self.site.load else ""
+        return f"{self.effect.kind} at {self.site.path}{by}"
 
     def generalises(self, other: SitedEffect) -> bool:
         """Tell whether another one is a special case of this one, at the same site."""

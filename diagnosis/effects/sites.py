@@ -48,6 +48,7 @@ class Site:
         sticks: whether it is dry friction, beside which something must have inertia.
         load: path of the flange through which the force comes that loads it; `moving` if not given.
         neighbours: paths of the sites at one of its nodes, whose forces may load it, too.
+        passes_on: whether a force comes through it from a third node, as through a gear or a screw.
         rubs: whether dry friction acts between its flanges, whatever part that is of.
         rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean,
             or where a spring is unstretched if inputs prescribe all motion.
@@ -73,6 +74,7 @@ class Site:
     sticks: bool = False
     load: str = ""
     neighbours: tuple[str, ...] = ()
+    passes_on: bool = False
     rubs: bool = False
     rest: float = 0.0
     middle: float = 0.0
@@ -121,7 +123,8 @@ def sites_of(network: Network) -> list[Site]:
 def _neighbours(ends: frozenset[object], sites: Sequence[tuple[frozenset[object], Site]]) -> Iterator[str]:
     """Yield the paths of what passes a force into one of two nodes from elsewhere."""
     for others, site in sites:
-        if others != ends and others & ends - {-1} and "series" in site.places:
+        elsewhere = others != ends or site.passes_on
+        if elsewhere and others & ends - {-1} and "series" in site.places:
             yield site.path
 
 
@@ -171,9 +174,16 @@ def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | No
             far = f"{path}.{fixed}" if f"{path}.{fixed}" in node_of else GROUND
             rank = 2 if "d" in fields else int("s_rel" in fields or "phi_rel" in fields)
             sticks = isinstance(component, Friction | rotational.Friction)
-            moved, spring = f"{path}.{moving}", tuple(_spring(component))
-            return Site(path, port.domain, moved, far, BETWEEN, rank, sticks=sticks, spring=spring)
+            found = Site(path, port.domain, f"{path}.{moving}", far, BETWEEN, rank, sticks=sticks)
+            passes_on = _passes_on(component, moving, fixed)
+            return replace(found, passes_on=passes_on, spring=tuple(_spring(component)))
     return None
+
+
+def _passes_on(component: Component, *ends: str) -> bool:
+    """Return whether a component has a flange, not a housing, besides those it acts between."""
+    ports = fields_of(component, Port)
+    return any(isinstance(p.domain, Domain) and not p.optional and p.name not in ends for p in ports)
 
 
 def _spring(component: Component) -> Iterator[tuple[str, float]]:

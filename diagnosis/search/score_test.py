@@ -160,7 +160,7 @@ def _add(
 def _pressed(site: Site, sites: Sequence[Site]) -> Iterator[tuple[int, Site]]:
     """Yield the neighbours of a site, by their numbers, and it as it is loaded by their forces alone."""
     for number, other in enumerate(sites):
-        if "loaded" in site.places and other.path in site.neighbours and other.force:
+        if site.places >= {"across", "loaded"} and other.path in site.neighbours and other.force:
             yield number, replace(site, load=other.moving, places=frozenset({"loaded"}))
 
 

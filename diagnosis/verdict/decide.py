@@ -245,7 +245,8 @@ def _class(best: Refit, first: Round, alike: Sequence[Refit]) -> tuple[tuple[str
     labels = best.labels[:1]
     chosen = next((c for c in first.candidates if c.label in labels), None)
     moved = [c.key for c in first.candidates if chosen and c is not chosen and same_motion(c, chosen)]
-    return tuple(dict.fromkeys([*(_other(f, best).key for f in alike), *moved]))
+    own = {placed.key for placed in best.effects}
+    return tuple(k for k in dict.fromkeys([*(_other(f, best).key for f in alike), *moved]) if k not in own)
 
 
 def _confidence(

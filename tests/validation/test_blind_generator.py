@@ -183,6 +183,31 @@ def test_two_names_of_one_force(blind: Any, rig: Any, kind: str, place: str, sha
     assert blind.case.kinds(blind.effects.Effect(kind, place, sites, shape), rig) == kinds
 
 
+def test_what_no_record_can_tell_apart_is_equally_right(blind: Any) -> None:
+    effect, rigs = blind.effects.Effect, blind.rigs.RIGS
+    inerter, disk = (sized(blind, rigs[name]) for name in ("pfi", "disk"))
+    late, zero = effect("sensor_delay", "F", ("F",), {}), effect("sensor_bias", "s", ("s",), {"sign": 1.0})
+    assert inerter.alike(late, 1e-3, blind.effects.rivals(rigs["pfi"])) == [("actuator_delay", "x")]
+    forces = inerter.alike(
+        effect("sensor_bias", "F", ("F",), {"sign": 1.0}), 0.02, blind.effects.rivals(rigs["pfi"])
+    )
+    assert ("constant_force", "inerter.screw") in forces
+    assert {kind for kind, _ in disk.alike(zero, 0.1, blind.effects.rivals(rigs["disk"]))} == {
+        "constant_force"
+    }
+    friction = effect("coulomb_friction", "main", ("carriage",), {"bristles": 0.0})
+    assert disk.alike(friction, 0.05, blind.effects.rivals(rigs["disk"])) == []
+
+
+def sized(blind: Any, rig: Any) -> Any:
+    """Return what measures gaps on a random and a swept record of a rig."""
+    rng = np.random.default_rng(3)
+    how = rig.amplitude, rig.band, rng, rig.prescribed
+    drives = [blind.excitations.excitation(shape, *how) for shape in ("random", "chirp")]
+    typical = blind.effects.typical_of(rig, drives[0])
+    return blind.severity.Scale(rig, rig.parameters, drives, typical, 0.01, weight=2.5)
+
+
 def test_wilson_interval(blind: Any) -> None:
     # 81 of 263: the example of R. G. Newcombe, Statist. Med. 17 (1998) 857-872, table I
     assert blind.measures.wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=5e-5)

@@ -7,13 +7,26 @@ from itertools import accumulate
 
 import numpy as np
 from assembly import Rig, Values
-from effects import ACROSS, Effect, Maker, Shape, Sized, Typical, assembled, channel, first_guess, lagged
+from effects import (
+    ACROSS,
+    Effect,
+    Maker,
+    Offer,
+    Shape,
+    Sized,
+    Typical,
+    assembled,
+    channel,
+    first_guess,
+    forces_on,
+    lagged,
+    late,
+)
 from scipy.signal import butter, lfilter
 from second.excitations import PREROLL
 from stepper import Array, Drive, simulate
 
 Rng = np.random.Generator
-Offer = tuple[str, str, tuple[str, ...]]
 SERIES = ("backlash", "compliance")
 OUTSIDE = ("impacts", "jam", "softening", "bent_gauge", "drive_limit")
 ONE_LAW = {  # Bouc and Wen's law with the exponent 1 is Dahl's; Iwan's is one of cells, as all these have
@@ -30,8 +43,7 @@ def places(rig: Rig) -> list[Offer]:
 def rivals(rig: Rig) -> list[Offer]:
     """Return what a diagnosis may take an effect for: all a rig offers, and a force on each motion."""
     offers = places(rig)
-    forces: list[Offer] = [("constant_force", place, motion.sites) for place, motion in rig.motions.items()]
-    return offers + [force for force in forces if force not in offers]
+    return offers + [force for force in forces_on(rig) if force not in offers]
 
 
 def outside(rig: Rig) -> list[Offer]:
@@ -153,7 +165,6 @@ LAWS: dict[str, Maker] = {
     "position_dependent_friction": _varying,
     "harmonic_ripple": _harmonics,
     "hysteresis": lambda s, t, q: ("JENKINS", (s * t.force / t.travel, q["yield"] * t.travel, q["power"])),
-    "constant_force": lambda s, t, q: ("CONSTANT", (q["sign"] * s * t.force,)),
     "arm_gravity": lambda s, t, q: ("RIPPLE", (s * t.force, 2 * np.pi, q["mounted"])),
     "cubic_damping": lambda s, t, _: ("POWER_OF_SPEED", (s * t.force / t.speed**3, 3.0)),
     "viscous_drift": lambda s, t, q: (
@@ -209,7 +220,7 @@ def _acted(effect: Effect, size: float, drive: Drive, step: float, usual: float)
         return Drive(*(lagged(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
     if effect.kind == "actuator_delay":
         size *= effect.shape.get("sign", 1.0)
-        return Drive(*(_late(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
+        return Drive(*(late(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
     if effect.kind == "actuator_backlash":
         w = _play(drive.w, size)
         return Drive(_play(drive.u, size), w, np.gradient(w, step), drive.wdd)
@@ -226,18 +237,13 @@ def _play(signal: Array, half: float) -> Array:
     return np.array(list(accumulate(signal.tolist(), follow, initial=0.0))[1:])
 
 
-def _late(signal: Array, delay: float, step: float) -> Array:
-    t = np.arange(len(signal)) * step
-    return np.interp(t - delay, t, signal)
-
-
 def _sensed(effect: Effect, size: float, signal: Array, usual: float, step: float, duration: float) -> Array:
     """Return what a sensor makes of its signal; its bias and drift are the same in every record."""
     sign = effect.shape.get("sign", 1.0)
     if effect.kind == "sensor_delay" and sign > 0 and effect.shape["filtered"]:
         return np.asarray(lfilter(*butter(2, np.sqrt(2) / size / np.pi * step), signal))  # group delay: size
     if effect.kind == "sensor_delay":
-        return _late(signal, sign * size, step)
+        return late(signal, sign * size, step)
     if effect.kind == "sensor_gain":
         return signal * (1 + sign * size)
     if effect.kind == "bent_gauge":

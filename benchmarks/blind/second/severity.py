@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 from assembly import Rig, Values
 from effects import Effect, Sized, Typical
 from excitations import STEP
-from second.effects import Offer, guess, signals
+from second.effects import guess, signals
 from second.excitations import PREROLL
 from second.recording import Logger
 from second.rigs import MASSES
@@ -16,14 +16,9 @@ from severity import COARSE, Scale
 from stepper import Array, Drive
 
 EVERY = 80  # coarse steps, so that a gap is measured at 125 Hz
-APART = 10.0  # chi squared below which two answers are one
-SCALED = 12  # times at most, as a shift is not quite linear
-CLOSE = 1e-4  # change of a size that is none
 REFITS = 4  # steps of parameters, whose answer bends
 HELD = 0.3  # of a gap by slopes, that those must leave
 LARGEST = {"sensor_gain": 0.4, "sensor_delay": 0.04, "actuator_delay": 0.04, "actuator_lag": 0.1}  # 1, s
-ELSEWHERE = ("arm_gravity",)  # linear, too, and may be thought to act on what moves alike
-LINEAR = ("constant_force", "added_inertia", "sensor_delay", "sensor_bias", "sensor_gain", "actuator_delay")
 
 
 class Bench(Scale):
@@ -46,44 +41,9 @@ class Bench(Scale):
         logger: Logger,
     ) -> None:
         self.logger = logger
-        self.weight = logger.rate * COARSE * STEP * EVERY
-        super().__init__(rig, values, drives, typical, noise, rel)
+        weight = logger.rate * COARSE * STEP * EVERY
+        super().__init__(rig, values, drives, typical, noise, rel, weight)
         self.signal = float(1 / np.hypot(noise, logger.grain))
-
-    def alike(self, effect: Effect, size: float, offers: Sequence[Offer]) -> list[tuple[str, str]]:
-        """Return kinds and sites whose effect on the records is that of `effect`, to less than APART."""
-        change = self._left([(effect, size)])
-        motions = self.rig.motions.items() if effect.kind in ELSEWHERE else ()
-        elsewhere: list[Offer] = [(effect.kind, place, motion.sites) for place, motion in motions]
-        rivals = [
-            offer
-            for offer in [*offers, *elsewhere]
-            if offer[:2] != (effect.kind, effect.place)
-            and (
-                offer[0] in LINEAR
-                or (offer[0], offer[1]) == ("coulomb_friction", effect.place)
-                or offer in elsewhere
-            )
-        ]
-        found = [offer for offer in rivals if self._is(offer, effect, change)]
-        return [(kind, site) for kind, _, sites in found for site in sites]
-
-    def _is(self, offer: Offer, effect: Effect, change: Array) -> bool:
-        """Return whether some size of a kind at a place makes a change, that of an effect, of the records."""
-        kind, place, _ = offer
-        shape = effect.shape if kind == effect.kind else {}
-        for sign in (1.0, -1.0):
-            other = Effect(kind, place, (), {**shape, "sign": sign, "filtered": 0.0})
-            size = self._guess(other)
-            for _ in range(SCALED):
-                trial = self._left([(other, size)])
-                if self.weight * float(np.sum((change - trial) ** 2)) < APART:
-                    return True
-                share = float(trial @ change) / max(float(trial @ trial), 1e-300)
-                if share <= 0 or abs(share - 1) < CLOSE:
-                    break
-                size *= share
-        return False
 
     def size(self, effect: Effect, severity: float) -> float | None:
         """Return the size that makes a gap of `severity`, None if none does, or if it were too large."""
@@ -110,18 +70,14 @@ class Bench(Scale):
             moved = moved + np.linalg.solve(self._normal, self._slopes.T @ left - self._known * moved)
         return least
 
-    def _left(self, effects: list[Sized]) -> Array:
-        """Return the change by effects over noise that parameters and zeros cannot explain."""
-        change = self._scaled(self._seen(self.values, effects)) - self._clean
-        return change - self._slopes @ (self._projector @ change)
-
     def _guess(self, effect: Effect) -> float:
         return guess(effect, self.rig, self.drives[0], COARSE * STEP)
 
     def _noise(self, clean: list[Array], noise: float) -> Array:
         return super()._noise(clean, float(np.hypot(noise, self.logger.grain)))
 
-    def _seen(self, values: Values, effects: list[Sized]) -> list[Array]:
+    def _seen(self, values: Values, effects: list[Sized], rest: float = 0.0) -> list[Array]:
+        """Return what is seen; every run begins long before its record, so that none need `rest` first."""
         step, seen = COARSE * STEP, []
         for drive in self.drives:
             fine = signals(self.rig, values, drive, effects, self.typical, step, self.logger.duration)
