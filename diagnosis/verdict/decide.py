@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 
 from ...components import SimulationError
+from ...identification import Campaign
 from ..criteria import (
     ALIKE_RIGHT_SHARE,
     CERTAIN_GAP_SHARE,
@@ -24,7 +25,7 @@ from ..models.study import Study
 from ..search.model_comparison import Refit, are_alike, clearness, gap_taken
 from ..search.revision import Rivals
 from ..search.round import Round, same_motion
-from .all_records import alike_by_all
+from .all_records import alike_by_all, are_one_delay
 from .cautions import cautions, led_astray, suspicions
 from .counterfactual import Foretold, counterfactuals, parting, told_apart
 from .gap import Gap, gaps
@@ -88,7 +89,9 @@ def decided(
     return Verdict(
         verdict=word,
         effects=best.effects,
-        confidence=tuple(_confidence(best, n, rounds, rivals, apart) for n in range(len(best.effects))),
+        confidence=tuple(
+            _confidence(best, n, rounds, rivals, apart, study.campaign) for n in range(len(best.effects))
+        ),
         equivalent=_class(best, first, alike),
         next_experiment=further,
         where=shares(first.candidates),
@@ -230,7 +233,7 @@ def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals, study: Study) -
         if done.base.labels == [placed.label for placed in earlier]:
             models += [f for f in done.fitted if not f.effects[-1].effect.generalises(last.effect.kind)]
     others = [f for f in models if len(f.effects) == len(best.effects) and {*f.labels} != {*best.labels}]
-    alike = [f for f in others if are_alike(f, best)]
+    alike = [f for f in others if are_alike(f, best) or are_one_delay(study.campaign, f, best)]
     alike += alike_by_all(study, best, [f for f in others if f not in alike])
     return sorted(alike, key=lambda f: abs(clearness(f, best)))
 
@@ -250,7 +253,12 @@ def _class(best: Refit, first: Round, alike: Sequence[Refit]) -> tuple[tuple[str
 
 
 def _confidence(
-    best: Refit, position: int, rounds: Sequence[Round], rivals: Rivals, apart: Mapping[int, float]
+    best: Refit,
+    position: int,
+    rounds: Sequence[Round],
+    rivals: Rivals,
+    apart: Mapping[int, float],
+    campaign: Campaign,
 ) -> float:
     """Return how often an effect is there that is named as clearly before the other fitted ones.
 
@@ -262,7 +270,8 @@ def _confidence(
     from scipy.stats import norm
 
     def clear(worse: Refit, better: Refit) -> float:
-        return max(clearness(worse, better), apart.get(id(worse), 0.0))
+        told = 0.0 if are_one_delay(campaign, worse, better) else clearness(worse, better)
+        return max(told, apart.get(id(worse), 0.0))
 
     placed = best.effects[position]
     done = rounds[position]

@@ -1,11 +1,16 @@
 """What screening cannot tell apart: one motion of two sites is fitted once, each channel for itself."""
 
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.round import Round, _reserve, leading, same_motion
 from inertance.diagnosis.search.score_test import Candidate
+from inertance.diagnosis.verdict.all_records import are_one_delay
 from inertance.diagnosis.verdict.decide import _class
 
 
@@ -49,3 +54,24 @@ def test_a_part_gives_way_to_the_whole_that_moves_alike() -> None:
 
 def test_what_explains_nothing_is_no_motion_of_its_own() -> None:
     assert not same_motion(across("screw", 1, 0.0), across("rail", 1, 0.0))
+
+
+def late(*keys: tuple[str, str]) -> Refit:
+    """Return a model with effects on channels."""
+    channels = {name: Site(name, "channel", name, "", frozenset({"channel"})) for _, name in keys}
+    effects = tuple(Hypothesis(effect_of(kind), channels[name], kind, {}) for kind, name in keys)
+    return Refit({}, effects, [], [], 0.0)
+
+
+@pytest.mark.parametrize(
+    ("inputs", "outputs", "one"),
+    [(["x"], ["F"], True), (["x"], ["F", "a"], False), (["x", "u"], ["F"], False)],
+)
+def test_a_late_command_is_a_late_sensor_where_there_is_one_of_each(
+    inputs: list[str], outputs: list[str], one: bool
+) -> None:
+    campaign: Any = SimpleNamespace(inputs=inputs, outputs=outputs)
+    command, sensor = late(("actuator_delay", "x")), late(("sensor_delay", "F"))
+    assert are_one_delay(campaign, command, sensor) is are_one_delay(campaign, sensor, command) is one
+    assert not are_one_delay(campaign, command, late(("sensor_bias", "F")))
+    assert not are_one_delay(campaign, command, late(("actuator_delay", "x"), ("sensor_delay", "F")))
