@@ -30,11 +30,7 @@ class KeptFiles:
 
     def files(self) -> list[Path]:
         """Return the files, the lately used ones first."""
-        found = []
-        for path in self._named(""):
-            with suppress(OSError):  # it was removed meanwhile
-                found.append((path.stat().st_mtime, path))
-        return [path for _, path in sorted(found, reverse=True)]
+        return [Path(path) for _, _, path in self._told()]
 
     def holds(self, beginning: str) -> bool:
         """Tell whether there is a file whose name begins so."""
@@ -42,7 +38,7 @@ class KeptFiles:
 
     def find(self, name: str) -> Path | None:
         """Return a file by its name, which from now on is lately used; what is not whole is removed."""
-        for path in self._named(f"{name}-"):
+        for path in map(Path, self._named(f"{name}-")):
             with suppress(OSError):
                 if path.stem == f"{name}-{_sum(path)}":
                     os.utime(path)
@@ -70,20 +66,28 @@ class KeptFiles:
     def _remove(self, most: int) -> int:
         """Remove files until they are no larger than that [bytes], the lately used ones last."""
         total = removed = 0
-        for path in self.files():
-            with suppress(OSError):
-                total += path.stat().st_size
-                if total > most:
-                    path.unlink()
+        for _, size, path in self._told():
+            total += size
+            if total > most:
+                with suppress(OSError):
+                    os.unlink(path)
                     removed += 1
         return removed
 
-    def _named(self, beginning: str) -> Iterator[Path]:
+    def _told(self) -> list[tuple[float, int, str]]:
+        """Return when each file was used last, its size and its path, the lately used ones first."""
+        found = []
+        for entry in self._named(""):
+            with suppress(OSError):  # it was removed meanwhile
+                told = entry.stat()
+                found.append((told.st_mtime, told.st_size, entry.path))
+        return sorted(found, reverse=True)
+
+    def _named(self, beginning: str) -> Iterator[os.DirEntry[str]]:
         if self.path is None:
             return
-        with suppress(OSError):
-            names = os.listdir(self.path)
-            yield from (self.path / n for n in names if n.startswith(beginning) and n.endswith(KINDS))
+        with suppress(OSError), os.scandir(self.path) as entries:
+            yield from (e for e in entries if e.name.startswith(beginning) and e.name.endswith(KINDS))
 
 
 def _sum(path: Path) -> str:

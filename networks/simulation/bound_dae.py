@@ -196,11 +196,11 @@ class BoundDAE:
     def legs(self, q: Array, begin: float, stop: float) -> list[Leg]:
         """Return the parts of a run between the instants at which inputs switch; found once for each run."""
         parameters = q[: self.dae.p.numel()]
-        signals = TimeSignals(self, parameters, begin, stop)
-        if signals.plain is None:
-            told = parameters.tobytes() if ca.depends_on(self.timed_rows, self.dae.p) else b""
-            return _known_legs(self._legs, told, signals, begin, stop)
-        parts = [_known_legs(_LEGS, told, part, begin, stop) for told, part in signals.apart()]
+        parts = []
+        for told, signals in TimeSignals(self, parameters, begin, stop).apart():
+            known = self._legs if told is None else _LEGS
+            key = told or (parameters.tobytes() if signals.is_led else b"")
+            parts.append(_known_legs(known, key, signals, begin, stop))
         return together(parts) if parts else [Leg(begin, stop)]
 
 

@@ -61,28 +61,34 @@ class TimeSignals:
     def __call__(self, times: Array) -> Array:
         """Return the signals at instants, (instants, signals)."""
         inputs = self._input_values(times)
-        if self.plain is not None:
-            return inputs[:, self.plain]
+        plain = [k for k in self._plain if k is not None]
+        if len(plain) == self.count:
+            return inputs[:, plain]
         constant = np.broadcast_to(self._parameters, (len(times), len(self._parameters)))
         return self._evaluate(inputs, constant, times[:, None])[0][:, :, 0]
 
     @cached_property
-    def plain(self) -> list[int] | None:
-        """Places of the inputs that the signals are, if they are nothing more."""
+    def _plain(self) -> list[int | None]:
+        """Place of the input that a signal is, if it is nothing more, for each of them."""
         u = self._dae.u
         place = {u.nz[k].element_hash(): k for k in range(u.numel())}
-        found = [place.get(self._rows.nz[row].element_hash()) for row in range(self.count)]
-        return None if None in found else [k for k in found if k is not None]
+        return [place.get(self._rows.nz[row].element_hash()) for row in range(self.count)]
 
-    def apart(self) -> list[tuple[SignalKey, TimeSignals]]:
-        """Return what is of each input alone, with what tells it from others, if all are plain inputs."""
-        given = [self._closed.given[k] for k in self.plain or ()]
-        rows: dict[int, list[int]] = {}
-        for row, (_, signal) in enumerate(given):
-            rows.setdefault(id(signal), []).append(row)
+    @cached_property
+    def is_led(self) -> bool:
+        """Whether parameters make a difference to the signals."""
+        return bool(ca.depends_on(self._rows, self._dae.p))
+
+    def apart(self) -> list[tuple[SignalKey | None, TimeSignals]]:
+        """Return what is an input alone, by inputs and with what tells them from others, and all else."""
+        rows: dict[int | None, list[int]] = {}
+        signals = [None if k is None else self._closed.given[k] for k in self._plain]
+        for row, signal in enumerate(signals):
+            rows.setdefault(signal and id(signal[1]), []).append(row)
         found = []
         for places in rows.values():
-            told = SignalKey({given[row][0].order: given[row][1] for row in places})
+            part = [signals[row] for row in places]
+            told = None if None in part else SignalKey({i.order: signal for i, signal in filter(None, part)})
             found.append((told, TimeSignals(self._closed, self._parameters, *self._span, places)))
         return found
 
@@ -250,9 +256,9 @@ def _largest(dae: DAE, equations: Any, inputs: Mapping[int, int]) -> Any:
 
 
 def _bare(value: Any, moving: Any) -> Any:
-    """Return an expression without factors and terms that do not move: they say nothing of when it does."""
-    while value.op() in (ca.OP_MUL, ca.OP_ADD, ca.OP_SUB):
-        parts = [part for part in (value.dep(0), value.dep(1)) if ca.depends_on(part, moving)]
+    """Return an expression without what does not move, and its sign: they say nothing of when it moves."""
+    while value.op() in (ca.OP_MUL, ca.OP_ADD, ca.OP_SUB, ca.OP_NEG):
+        parts = [p for p in map(value.dep, range(value.n_dep())) if ca.depends_on(p, moving)]
         if len(parts) != 1:
             break
         (value,) = parts
