@@ -13,7 +13,7 @@ from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .crew import LATE, Crew, Fit, Outcome
-from .model_comparison import Refit, unexplained
+from .model_comparison import Refit, best_of, unexplained
 from .needless import needless
 from .score_test import Candidate, screen
 
@@ -111,6 +111,9 @@ def _fit(
             study.tell("much is left: screening where the parameters were given")
             (hidden, done.unscreened), early = early(), None
             waiting = _reserve(candidates, hidden, tried, _ran_away(study.campaign, base))
+        elif over and early is not None and _ran_away(study.campaign, best_of((base, *fitted))):
+            study.tell("what fits best takes parameters far off: trying what is in series")
+            waiting, early = _reserve(candidates, (), tried, True), None
     failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
     done.candidates.extend(c for c in hidden if c.label not in screened)
