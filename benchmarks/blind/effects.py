@@ -46,7 +46,7 @@ class Typical:
 
 
 def places(rig: Rig) -> list[Offer]:
-    """Return every offer of the vocabulary that a rig offers."""
+    """Return every offer of a rig from the vocabulary."""
     found = []
     for place, kinds in rig.kinds.items():
         for kind in kinds:
@@ -70,7 +70,7 @@ def rivals(rig: Rig) -> list[Offer]:
 
 
 def outside(rig: Rig) -> list[Offer]:
-    """Return every offer of a rig offers that the vocabulary lacks."""
+    """Return every offer of a rig that the vocabulary lacks."""
     moving = [(place, motion.sites) for place, motion in rig.motions.items() if any(motion.b)]
     found = [(kind, place, sites) for kind in ("impacts", "jam") for place, sites in moving]
     if rig.warp:
@@ -121,7 +121,7 @@ def signals(
     commanded = drive
     for effect, size in effects:
         if effect.place == rig.input:
-            drive = _acted(effect, size, drive, step)
+            drive = acted(effect, size, drive, step)
     rows, assembly = assembled(rig, values, effects, typical)
     y = simulate(assembly.system(), drive, rows, step)
     seen = np.column_stack([commanded.w if rig.prescribed else commanded.u, y])
@@ -281,11 +281,13 @@ ACROSS: dict[str, Maker] = {
 }
 
 
-def _acted(effect: Effect, size: float, drive: Drive, step: float) -> Drive:
+def acted(effect: Effect, size: float, drive: Drive, step: float) -> Drive:
     """Return what an actuator does of what it is told; dead zones are for forces."""
     if effect.kind == "actuator_dead_zone":
         return Drive(drive.u - np.clip(drive.u, -size, size), drive.w, drive.wd, drive.wdd)
-    size, shift = (size, lagged) if effect.kind == "actuator_lag" else (effect.shape["sign"] * size, late)
+    size, shift = (
+        (size, lagged) if effect.kind == "actuator_lag" else (effect.shape.get("sign", 1.0) * size, late)
+    )
     return Drive(*(shift(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
 
 

@@ -15,12 +15,12 @@ from effects import (
     Shape,
     Sized,
     Typical,
+    acted,
     assembled,
     channel,
     first_guess,
     forces_on,
-    lagged,
-    late,
+    sensed,
 )
 from scipy.signal import butter, lfilter
 from second.excitations import PREROLL
@@ -198,7 +198,7 @@ def signals(
     seen = np.column_stack([commanded, simulate(assembly.system(), drive, rows, step)])
     for effect, size in effects:
         if effect.place in rig.outputs:
-            column, usual = 1 + rig.outputs.index(effect.place), typical[channel(effect.place)].travel
+            column, usual = 1 + rig.outputs.index(effect.place), typical[channel(effect.place)]
             seen[:, column] = _sensed(effect, size, seen[:, column], usual, step, duration)
     return seen
 
@@ -216,18 +216,13 @@ def guess(effect: Effect, rig: Rig, drive: Drive, step: float) -> float:
 
 def _acted(effect: Effect, size: float, drive: Drive, step: float, usual: float) -> Drive:
     """Return what an actuator does of what it is told."""
-    if effect.kind == "actuator_lag":
-        return Drive(*(lagged(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
-    if effect.kind == "actuator_delay":
-        size *= effect.shape.get("sign", 1.0)
-        return Drive(*(late(signal, size, step) for signal in (drive.u, drive.w, drive.wd, drive.wdd)))
     if effect.kind == "actuator_backlash":
         w = _play(drive.w, size)
         return Drive(_play(drive.u, size), w, np.gradient(w, step), drive.wdd)
     if effect.kind == "actuator_saturation":
         limit = 3 * usual / (1 + size)
         return Drive(drive.u / (1 + np.abs(drive.u / limit) ** 12) ** (1 / 12), drive.w, drive.wd, drive.wdd)
-    return Drive(drive.u - np.clip(drive.u, -size, size), drive.w, drive.wd, drive.wdd)
+    return acted(effect, size, drive, step)
 
 
 def _play(signal: Array, half: float) -> Array:
@@ -237,18 +232,16 @@ def _play(signal: Array, half: float) -> Array:
     return np.array(list(accumulate(signal.tolist(), follow, initial=0.0))[1:])
 
 
-def _sensed(effect: Effect, size: float, signal: Array, usual: float, step: float, duration: float) -> Array:
+def _sensed(
+    effect: Effect, size: float, signal: Array, usual: Typical, step: float, duration: float
+) -> Array:
     """Return what a sensor makes of its signal; its bias and drift are the same in every record."""
     sign = effect.shape.get("sign", 1.0)
     if effect.kind == "sensor_delay" and sign > 0 and effect.shape["filtered"]:
         return np.asarray(lfilter(*butter(2, np.sqrt(2) / size / np.pi * step), signal))  # group delay: size
-    if effect.kind == "sensor_delay":
-        return late(signal, sign * size, step)
-    if effect.kind == "sensor_gain":
-        return signal * (1 + sign * size)
     if effect.kind == "bent_gauge":
-        return signal * (1 + sign * size * (signal / (2 * usual)) ** 2)
-    if effect.kind == "sensor_bias":
-        return signal + sign * size * usual
-    t = np.clip((np.arange(len(signal)) * step - PREROLL) / duration, 0, None)
-    return np.asarray(signal + sign * size * usual * t ** effect.shape["curve"])
+        return signal * (1 + sign * size * (signal / (2 * usual.travel)) ** 2)
+    if effect.kind == "sensor_drift":
+        t = np.clip((np.arange(len(signal)) * step - PREROLL) / duration, 0, None)
+        return np.asarray(signal + sign * size * usual.travel * t ** effect.shape["curve"])
+    return sensed(effect, size, signal, usual, step)
