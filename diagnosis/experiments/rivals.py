@@ -27,12 +27,11 @@ NOTHING = (
 
 @dataclass(frozen=True)
 class Named:
-    """An effect at a site as a verdict names it, with its values and what loads it, if told."""
+    """An effect at a site as a verdict names it, with its values if it tells them."""
 
     kind: str
     site: str
     values: Mapping[str, float]
-    load: str = ""
 
     @property
     def key(self) -> Key:
@@ -91,7 +90,7 @@ def read_question(path: str | Path) -> Question:
 def _named(entry: Mapping[str, Any]) -> Named:
     effect_of(entry["kind"])
     values = {str(name): value for name, value in entry.get("parameters", {}).items() if is_number(value)}
-    return Named(str(entry["kind"]), str(entry["site"]), values, str(entry.get("load", "")))
+    return Named(str(entry["kind"]), str(entry["site"]), values)
 
 
 def rivals(study: Study, question: Question) -> list[Refit]:
@@ -104,9 +103,7 @@ def rivals(study: Study, question: Question) -> list[Refit]:
     study.tell("refitting the parameters")
     base = JointFit(study, given).fitted()
     study.tell("screening effects")
-    known: dict[Key, list[Candidate]] = {}
-    for candidate in screen(study, base.parameters):
-        known.setdefault(candidate.key, []).append(candidate)
+    known = {candidate.key: candidate for candidate in screen(study, base.parameters)}
     for one in (*question.found, *question.others):
         if one.key not in known:
             names = [site for _, site in known]
@@ -135,17 +132,12 @@ def _alternatives(question: Question) -> list[list[tuple[Named, ...]]]:
 
 
 def _fitted(
-    study: Study,
-    base: Refit,
-    known: Mapping[Key, Sequence[Candidate]],
-    named: Sequence[Named],
-    models: Sequence[Refit],
+    study: Study, base: Refit, known: Mapping[Key, Candidate], named: Sequence[Named], models: Sequence[Refit]
 ) -> Refit | str:
     """Return a model with effects, fitted one on top of the other, or why there is none."""
     crew = Crew(study)
     for one in named:
-        loaded = (c for c in known[one.key] if one.load in ("", c.site.load or c.site.moving))
-        candidate = next(loaded, known[one.key][0])
+        candidate = known[one.key]
         study.tell(f"fitting {candidate.label}")
         fit = Fit.of(candidate, base, models)
         if set(one.values) == {quantity.name for quantity in _quantities(candidate)}:

@@ -225,8 +225,11 @@ def _channel_changes(
 
 
 def _scored(sums: _Sums, parameters: Mapping[str, float], priors: Mapping[str, Prior]) -> Iterator[Candidate]:
-    """Yield the best shape of each effect at each site; parameters with `priors` move with it."""
-    best: dict[tuple[str, str], Candidate] = {}
+    """Yield the best shape of each effect at each site; parameters with `priors` move with it.
+
+    By what a gear brings or by what friction leaves of it, none is better while friction is small.
+    """
+    best: dict[tuple[object, ...], Candidate] = {}
     count = len(sums.prior)
     for tally in sums.tallies.values():
         crossed, seen, own = np.split(tally.products, [count, count + 1], axis=1)
@@ -244,8 +247,9 @@ def _scored(sums: _Sums, parameters: Mapping[str, float], priors: Mapping[str, P
             if priors
         }
         candidate = Candidate(tally.effect, tally.site, chosen, gain, share, beside or parameters)
-        if candidate.key not in best or gain > best[candidate.key].gain:
-            best[candidate.key] = candidate
+        key = *candidate.key, tally.site.load == tally.site.moving
+        if key not in best or gain > best[key].gain:
+            best[key] = candidate
     yield from best.values()
 
 

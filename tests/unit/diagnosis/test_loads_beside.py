@@ -75,17 +75,20 @@ def test_what_meets_at_a_site_is_told_but_not_what_lies_beside_it() -> None:
 RUB, RATIO = 0.2, 5.0  # of what a gear brings, so large that it matters whether friction takes of it before
 
 
-def geared() -> ia.Network:
+def geared(held: bool) -> ia.Network:
+    """Return a geared motor whose wheel is held by the ground, or by a far body that is free."""
     net = ia.Network("geared", frame=Fixed(), motor=Torque(), rotor=Inertia(J=2e-3), wheel=Inertia(J=0.08))
     net.add(bearing=Damper(d=4e-3), shaft=SpringDamper(c=60.0, d=0.03), gear=IdealGear(ratio=RATIO))
     net.add(guide=Damper(d=0.15), spiral=Spring(c=4.0))
-    net.connect(net.frame.flange, net.bearing.flange_a, net.guide.flange_a, net.spiral.flange_a)
+    far = net.frame if held else net.add(far=Inertia(J=0.3)).far
+    net.connect(net.frame.flange, net.bearing.flange_a)
+    net.connect(far.flange, net.guide.flange_a, net.spiral.flange_a)
     net.connect(net.motor.flange, net.rotor.flange, net.bearing.flange_b, net.shaft.flange_a)
     net.connect(net.shaft.flange_b, net.gear.flange_a)
     return net.connect(net.gear.flange_b, net.wheel.flange, net.guide.flange_b, net.spiral.flange_b)
 
 
-def rubbing(seed: int, left: bool) -> Record:
+def rubbing(seed: int, left: bool, held: bool) -> Record:
     """Return a record of a drive whose wheel rubs by what the gear brings, or by what that has `left`."""
     phase = np.random.default_rng(seed).uniform(0, 2 * np.pi, 4)
 
@@ -93,33 +96,41 @@ def rubbing(seed: int, left: bool) -> Record:
         return 1.2 * float(np.sin(2 * np.pi * np.array([0.3, 0.8, 1.7, 3.1]) * t + phase).sum())
 
     def rates(t: float, y: np.ndarray) -> list[float]:
-        twist, turn, w1, w2 = y
+        twist, turn, w1, w2, far = y
         shaft = 60.0 * twist + 0.03 * (w1 - RATIO * w2)
         way, brought = np.tanh(w2 / 0.05), RATIO * shaft
         loading = brought / (1 + RUB * way * np.sign(brought)) if left else brought
-        wheel = brought - 0.15 * w2 - 4.0 * turn - RUB * abs(loading) * way
-        return [w1 - RATIO * w2, w2, (torque(t) - 4e-3 * w1 - shaft) / 2e-3, wheel / 0.08]
+        spiral = 0.15 * (w2 - far) + 4.0 * turn
+        wheel, freed = brought - spiral - RUB * abs(loading) * way, 0.0 if held else spiral / 0.3
+        return [w1 - RATIO * w2, w2 - far, (torque(t) - 4e-3 * w1 - shaft) / 2e-3, wheel / 0.08, freed]
 
-    found = solve_ivp(rates, (0.0, TIME[-1]), [0.0] * 4, "LSODA", TIME, rtol=1e-8, atol=1e-10).y[2:]
+    found = solve_ivp(rates, (0.0, TIME[-1]), [0.0] * 5, "LSODA", TIME, rtol=1e-8, atol=1e-10).y[2:4]
     found += (
         3e-3 * np.std(found, axis=1)[:, None] * np.random.default_rng(seed + 100).standard_normal(found.shape)
     )
     return Record(f"{seed}", TIME, {"m": np.array([torque(t) for t in TIME]), "w1": found[0], "w2": found[1]})
 
 
-@pytest.mark.parametrize(("left", "site"), [(False, "guide"), (True, "gear")], ids=["before", "after"])
-def test_what_a_gear_brings_loads_before_or_after_friction_takes_of_it(left: bool, site: str) -> None:
-    records = [{"record": rubbing(seed, left), "initial": "rest"} for seed in (1, 2, 3)]
+@pytest.mark.parametrize(
+    ("left", "held", "site"),
+    [(False, True, "guide"), (True, True, "gear"), (False, False, "gear"), (True, False, "gear")],
+    ids=["before", "after", "before, alone", "after, alone"],
+)
+def test_what_a_gear_brings_loads_before_or_after_friction_takes_of_it(
+    left: bool, held: bool, site: str
+) -> None:
+    records = [{"record": rubbing(seed, left, held), "initial": "rest"} for seed in (1, 2, 3)]
     channels = {
         "m": {"input": "motor.tau", "unit": "N.m"},
         "w1": {"output": "rotor.w", "unit": "rad/s"},
         "w2": {"output": "wheel.w", "unit": "rad/s"},
     }
     priors = {"bearing.d": {"rel": 0.2}, "shaft.c": {"rel": 0.1}, "guide.d": {"rel": 0.2}}
-    found = ia.diagnose(Campaign(geared(), channels, priors, records[:-1], records[-1:]))
+    found = ia.diagnose(Campaign(geared(held), channels, priors, records[:-1], records[-1:]))
     (placed,) = found.effects
     assert placed.key == ("load_dependent_friction", site)
     assert placed.values["mu"] == pytest.approx(RUB, rel=0.03)
     assert found.equivalent == ()
+    assert placed.site.load == ("" if left else "gear.flange_b")
     assert found.to_dict()["effects"][0]["load"] == "gear.flange_b"
     assert found.closed > 0.99
