@@ -92,6 +92,7 @@ from .components import RealOutput as RealOutput
 from .components import RelativeAccelerationSensor as RelativeAccelerationSensor
 from .components import RelativePositionSensor as RelativePositionSensor
 from .components import RelativeSpeedSensor as RelativeSpeedSensor
+from .components import RelaxingBacklash as RelaxingBacklash
 from .components import RelaxingSpring as RelaxingSpring
 from .components import Ripple as Ripple
 from .components import Rod as Rod

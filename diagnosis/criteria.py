@@ -138,6 +138,7 @@ REVERSAL_SPEED_RATIO = 0.01  # [rms speed] within which friction that cannot sti
 STICKING_SPEED_RATIO = 0.001  # [rms speed] within which friction at a port is smooth; data
 FLANKS_DAMPER_SHARE = 0.02  # [force of a spring] of its damper, from which on it relaxes in play; data
 STOP_DEFLECTION_RATIO = 1e-3  # [travel] deflection of a stop under the largest force of its site; data
+OIL_DAMPER_SHARE = 1e-4  # [damping of a spring in play] of the oil beside it; data
 OIL_FORCE_RATIO = 1e-4  # [largest force] of the oil in a clearance at the usual speed; data
 PLAY_FORCE_RATIO = 0.02  # [largest force] at which play is taken up; data
 SETTLING_SECONDS = 1e-4  # [s] in which a compliance settles; data: far below 1/COMPARISON_RATE_HZ

@@ -547,7 +547,7 @@ def _(ax: Axes) -> None:
     told(ax, "time [s]", "angle [rad]")
 
 
-@panel("gaps", "rotational.Gearbox", "rotational.ElastoBacklash2")
+@panel("gaps", "rotational.Gearbox", "rotational.ElastoBacklash2", "rotational.RelaxingBacklash")
 def _(ax: Axes) -> None:
     gearbox = rotational.Gearbox(ratio=2.0, lossTable=((0.0, 0.9, 0.9, 0.0, 0.0),), c=500.0, d=2.0, b=0.02)
     net = joined(
@@ -561,7 +561,7 @@ def _(ax: Axes) -> None:
     net.add(rotor=rotational.Inertia(J=0.01)).connect(net.rotor.flange, net.drive.flange)
     run = net.simulate(1.2, step=2e-3)
     ax.plot(1e3 * run["box.phi_rel"], run["box.elastoBacklash.tau"], label="Gearbox", lw=0.8)
-    for kind in (rotational.ElastoBacklash2, rotational.ElastoBacklash):
+    for kind in (rotational.ElastoBacklash2, rotational.ElastoBacklash, rotational.RelaxingBacklash):
         run = moved(kind(c=500.0, d=20.0, b=0.02), swing(0.02), 1.0, 2.5e-3)
         ax.plot(1e3 * run["element.phi_rel"], run["element.tau"], label=kind.__name__)
     told(ax, "phi_rel [mrad]", "tau [N.m]")
@@ -698,9 +698,10 @@ def _(ax: Axes) -> None:
     told(ax, "time [s]", "phi [rad]")
 
 
-@panel("gaps", "ElastoBacklash", "rotational.Backlash")
+@panel("gaps", "ElastoBacklash", "RelaxingBacklash", "rotational.Backlash")
 def _(ax: Axes) -> None:
-    loop(ax, ia.ElastoBacklash(k=1e4, d=500.0, b=0.01), 0.01, label="ElastoBacklash [mm, N]")
+    for kind in (ia.ElastoBacklash, ia.RelaxingBacklash):
+        loop(ax, kind(k=1e4, d=500.0, b=0.01), 0.01, label=f"{kind.__name__} [mm, N]")
     run = moved(rotational.Backlash(c=1e4, d=500.0, eps=0.005), swing(0.01), 1.0, 2.5e-3)
     ax.plot(1e3 * run["element.phi_rel"], run["element.tau"], "--", label="rotational.Backlash [mrad, N.m]")
 

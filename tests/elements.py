@@ -65,6 +65,8 @@ VALUES: dict[str, dict[str, Any]] = {
     "rotational.EddyCurrentBrake": {"tau_nominal": 2.0, "alpha20": 0.004, "T": 350.0},
     "rotational.Gearbox": {"ratio": 2.0, "lossTable": LOSSES, "b": 0.1},
     "rotational.ElastoBacklash2": {"b": 0.1, "c": 20.0, "d": 0.5},
+    "RelaxingBacklash": {"b": 0.1, "k": 20.0, "d": 2.0},
+    "rotational.RelaxingBacklash": {"b": 0.1, "c": 20.0, "d": 2.0},
     "QuadraticSpeedDependentForce": {"f_nominal": -0.5, "ForceDirection": False},
     "rotational.QuadraticSpeedDependentTorque": {"tau_nominal": -0.5, "TorqueDirection": False},
     "RollingResistance": {"CrConstant": 0.5},

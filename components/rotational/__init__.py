@@ -3,6 +3,7 @@
 from .backlash import Backlash as Backlash
 from .backlash import ElastoBacklash as ElastoBacklash
 from .backlash import ElastoBacklash2 as ElastoBacklash2
+from .backlash import RelaxingBacklash as RelaxingBacklash
 from .bristles import LuGreFriction as LuGreFriction
 from .clutches import Brake as Brake
 from .clutches import Clutch as Clutch

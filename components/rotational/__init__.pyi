@@ -17,6 +17,7 @@ from ..language import Component, Number, ParameterValue, SignalValue
 from ..lossy import AtTemperature, Lossy
 from ..pressed import Pressed, PressedStickSlip
 from ..relaxing import Relaxing
+from ..relaxing_flanks import RelaxingFlanks
 from ..stickslip import StickSlip, Sticking
 
 class BearingFriction(Component):
@@ -1882,6 +1883,66 @@ class QuadraticDamper(Dissipative):
         phi_rel: Number = ...,
         tau: Number = ...,
         w_rel: Number = ...,
+    ) -> None: ...
+
+class RelaxingBacklash(CompliantWithSpeed, RelaxingFlanks):
+    """Backlash b in series with a spring and damper without inertia, which relax while they touch nothing.
+
+    With x = phi_rel - phi_rel0 and their stretch z, d z' + c z = p: they press by p = c (x -+ b/2) + d w_rel
+    from where x -+ b/2 meets z until they would pull, and by p = 0 between. tau = p + d_0 w_rel, which jumps
+    as they meet, since the damper is struck. `ElastoBacklash2` knows no z: what a flank gives comes back at
+    once.
+
+    Without backlash it is a `SpringDamper`, without stiffness a damper with play. Where a spring follows it
+    without inertia between them, something must fill the backlash (d_0 > 0), or nothing tells where that
+    stays.
+
+    Args:
+        c: stiffness in contact [N.m/rad], at least 0.
+        d: damping constant in contact [N.m.s/rad], above 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        b: total backlash [rad], at least 0.
+        phi_rel0: angle in the middle of the backlash [rad].
+        d_0: damping constant of what fills the backlash [N.m.s/rad], at least 0.
+        phi_rel: angle between the flanges [rad], fixed start value.
+        tau: torque between the flanges, positive when it turns b back towards a [N.m], fixed start value.
+        w_rel: relative speed of the flanges [rad/s], fixed start value.
+        z: stretch of spring and damper [rad], fixed start value.
+    """
+
+    c: Any
+    """stiffness in contact [N.m/rad], at least 0"""
+    d: Any
+    """damping constant in contact [N.m.s/rad], above 0"""
+    b: Any
+    """total backlash [rad], at least 0"""
+    phi_rel0: Any
+    """angle in the middle of the backlash [rad]"""
+    d_0: Any
+    """damping constant of what fills the backlash [N.m.s/rad], at least 0"""
+    z: Any
+    """stretch of spring and damper [rad], fixed start value"""
+    @property
+    def offset(self) -> Any: ...
+    @property
+    def speed(self) -> Any: ...
+    @property
+    def stiffness(self) -> Any: ...
+    @property
+    def width(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        c: ParameterValue,
+        d: ParameterValue,
+        useHeatPort: bool = False,
+        b: ParameterValue = 0.0,
+        phi_rel0: ParameterValue = 0.0,
+        d_0: ParameterValue = 0.0,
+        phi_rel: Number = ...,
+        tau: Number = ...,
+        w_rel: Number = ...,
+        z: Number = ...,
     ) -> None: ...
 
 class ShearThinningDamper(Dissipative):

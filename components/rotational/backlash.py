@@ -3,8 +3,9 @@
 import casadi as ca
 
 from ..contact import clearance_energy, past_clearance
-from ..language import Expression, Stated, dissipation, energy, mode, parameter
-from .compliances import Dissipative
+from ..language import Expression, Stated, dissipation, energy, mode, parameter, variable
+from ..relaxing_flanks import RelaxingFlanks
+from .compliances import CompliantWithSpeed, Dissipative
 
 
 class ElasticFlanks(Dissipative):
@@ -69,6 +70,46 @@ class ElastoBacklash2(ElasticFlanks):
         yield self.mode.goes("forward", "free", when=ahead < 0)
         yield self.mode.goes("free", "backward", when=behind > 0)
         yield self.mode.goes("backward", "free", when=behind < 0)
+
+
+class RelaxingBacklash(CompliantWithSpeed, RelaxingFlanks):
+    """Backlash b in series with a spring and damper without inertia, which relax while they touch nothing.
+
+    With x = phi_rel - phi_rel0 and their stretch z, d z' + c z = p: they press by p = c (x -+ b/2) + d w_rel
+    from where x -+ b/2 meets z until they would pull, and by p = 0 between. tau = p + d_0 w_rel, which jumps
+    as they meet, since the damper is struck. `ElastoBacklash2` knows no z: what a flank gives comes back at
+    once.
+
+    Without backlash it is a `SpringDamper`, without stiffness a damper with play. Where a spring follows it
+    without inertia between them, something must fill the backlash (d_0 > 0), or nothing tells where that
+    stays.
+    """
+
+    c = parameter("N.m/rad", "stiffness in contact", min=0)
+    d = parameter("N.m.s/rad", "damping constant in contact", above=0)
+    b = parameter("rad", "total backlash", min=0, default=0.0)
+    phi_rel0 = parameter("rad", "angle in the middle of the backlash", default=0.0)
+    d_0 = parameter("N.m.s/rad", "damping constant of what fills the backlash", min=0, default=0.0)
+    z = variable("rad", "stretch of spring and damper")
+
+    @property
+    def offset(self) -> Expression:
+        return self.phi_rel - self.phi_rel0
+
+    @property
+    def speed(self) -> Expression:
+        return self.w_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.c
+
+    @property
+    def width(self) -> Expression:
+        return self.b
+
+    def equations(self) -> Stated:
+        yield self.tau == self.pressing + self.d_0 * self.speed
 
 
 class Backlash(Dissipative):

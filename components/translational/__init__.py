@@ -1,6 +1,7 @@
 """Elements that slide."""
 
 from .backlash import ElastoBacklash as ElastoBacklash
+from .backlash import RelaxingBacklash as RelaxingBacklash
 from .bristles import LuGreFriction as LuGreFriction
 from .compliances import BilinearSpring as BilinearSpring
 from .compliances import BoucWen as BoucWen

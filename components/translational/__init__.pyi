@@ -16,6 +16,7 @@ from ..language import Component, Number, ParameterValue, SignalValue
 from ..lossy import AtTemperature, Lossy
 from ..pressed import PressedStickSlip
 from ..relaxing import Relaxing
+from ..relaxing_flanks import RelaxingFlanks
 from ..stickslip import StickSlip
 
 class DrivenFlange(Component):
@@ -2286,6 +2287,64 @@ class QuadraticDamper(Dissipative):
         s_rel: Number = ...,
         f: Number = ...,
         v_rel: Number = ...,
+    ) -> None: ...
+
+class RelaxingBacklash(CompliantWithSpeed, RelaxingFlanks):
+    """Backlash b in series with a spring and damper without mass, which relax while they touch nothing.
+
+    With x = s_rel - s_rel0 and their stretch z, d z' + k z = p: they press by p = k (x -+ b/2) + d v_rel from
+    where x -+ b/2 meets z until they would pull, and by p = 0 between. f = p + d_0 v_rel, which jumps as they
+    meet, since the damper is struck. `ElastoBacklash` knows no z: what a flank gives comes back at once.
+
+    Without backlash it is a `SpringDamper`, without stiffness a damper with play. Where a spring follows it
+    without mass between them, something must fill the backlash (d_0 > 0), or nothing tells where that stays.
+
+    Args:
+        k: stiffness in contact [N/m], at least 0.
+        d: damping constant in contact [N.s/m], above 0.
+        useHeatPort: whether its losses leave as heat through heatPort.
+        b: total backlash [m], at least 0.
+        s_rel0: distance in the middle of the backlash [m].
+        d_0: damping constant of what fills the backlash [N.s/m], at least 0.
+        s_rel: distance of the flanges [m], fixed start value.
+        f: force between the flanges, positive when it pulls them together [N], fixed start value.
+        v_rel: relative velocity of the flanges [m/s], fixed start value.
+        z: stretch of spring and damper [m], fixed start value.
+    """
+
+    k: Any
+    """stiffness in contact [N/m], at least 0"""
+    d: Any
+    """damping constant in contact [N.s/m], above 0"""
+    b: Any
+    """total backlash [m], at least 0"""
+    s_rel0: Any
+    """distance in the middle of the backlash [m]"""
+    d_0: Any
+    """damping constant of what fills the backlash [N.s/m], at least 0"""
+    z: Any
+    """stretch of spring and damper [m], fixed start value"""
+    @property
+    def offset(self) -> Any: ...
+    @property
+    def speed(self) -> Any: ...
+    @property
+    def stiffness(self) -> Any: ...
+    @property
+    def width(self) -> Any: ...
+    def __init__(
+        self,
+        *,
+        k: ParameterValue,
+        d: ParameterValue,
+        useHeatPort: bool = False,
+        b: ParameterValue = 0.0,
+        s_rel0: ParameterValue = 0.0,
+        d_0: ParameterValue = 0.0,
+        s_rel: Number = ...,
+        f: Number = ...,
+        v_rel: Number = ...,
+        z: Number = ...,
     ) -> None: ...
 
 class Rope(Dissipative):

@@ -1,9 +1,10 @@
-"""Backlash of which the flanks only ever press."""
+"""Backlash of which the flanks only ever press: at once, or relaxing between."""
 
 import casadi as ca
 
-from ..language import Expression, Stated, dissipation, energy, parameter
-from .compliances import Dissipative
+from ..language import Expression, Stated, dissipation, energy, parameter, variable
+from ..relaxing_flanks import RelaxingFlanks
+from .compliances import CompliantWithSpeed, Dissipative
 
 
 class ElastoBacklash(Dissipative):
@@ -35,3 +36,41 @@ class ElastoBacklash(Dissipative):
     def equations(self) -> Stated:
         half, v = self.b / 2, self.v_rel
         yield self.f == self.pressed(self.x - half, v) - self.pressed(-self.x - half, -v)
+
+
+class RelaxingBacklash(CompliantWithSpeed, RelaxingFlanks):
+    """Backlash b in series with a spring and damper without mass, which relax while they touch nothing.
+
+    With x = s_rel - s_rel0 and their stretch z, d z' + k z = p: they press by p = k (x -+ b/2) + d v_rel from
+    where x -+ b/2 meets z until they would pull, and by p = 0 between. f = p + d_0 v_rel, which jumps as they
+    meet, since the damper is struck. `ElastoBacklash` knows no z: what a flank gives comes back at once.
+
+    Without backlash it is a `SpringDamper`, without stiffness a damper with play. Where a spring follows it
+    without mass between them, something must fill the backlash (d_0 > 0), or nothing tells where that stays.
+    """
+
+    k = parameter("N/m", "stiffness in contact", min=0)
+    d = parameter("N.s/m", "damping constant in contact", above=0)
+    b = parameter("m", "total backlash", min=0, default=0.0)
+    s_rel0 = parameter("m", "distance in the middle of the backlash", default=0.0)
+    d_0 = parameter("N.s/m", "damping constant of what fills the backlash", min=0, default=0.0)
+    z = variable("m", "stretch of spring and damper")
+
+    @property
+    def offset(self) -> Expression:
+        return self.s_rel - self.s_rel0
+
+    @property
+    def speed(self) -> Expression:
+        return self.v_rel
+
+    @property
+    def stiffness(self) -> Expression:
+        return self.k
+
+    @property
+    def width(self) -> Expression:
+        return self.b
+
+    def equations(self) -> Stated:
+        yield self.f == self.pressing + self.d_0 * self.speed

@@ -24,11 +24,9 @@ CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its wi
 }
 
 
-def _has_flanks(site: Site) -> bool:
-    """Tell whether a site is a spring whose damper, which flanks would hold back, bears little."""
+def _gives_at_once(site: Site) -> bool:
+    """Tell whether the damper of a spring, which elastic flanks would hold back, bears little."""
     made = dict(site.spring)
-    if not made:
-        return False
     sprung, damped = made[site.mechanics.stiffness] * site.travel, made.get("d", 0.0) * site.speed
     return damped <= criteria.FLANKS_DAMPER_SHARE * sprung
 
@@ -39,10 +37,9 @@ def _width(site: Site, values: Values) -> dict[str, float]:
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    """Return the elastic flanks that a spring becomes; with all else a stiff gap is in series."""
-    if _has_flanks(site):
-        made = {"d": 0.0, **dict(site.spring), "b": 2 * values["eps"]}
-        return [Exchange(site.path, site.family.ElastoBacklash(**made))]
+    """Return the flanks that a spring becomes; with all else a stiff gap is in series."""
+    if site.spring:
+        return [Exchange(site.path, _flanks(site, values))]
     stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
     calming = criteria.SETTLING_SECONDS * stiffness if site.sticks else 0.0
     kind, _, _ = CLEARANCES[site.domain]
@@ -51,9 +48,20 @@ def _play(site: Site, name: str, values: Values) -> list[Edit]:
     return [Insert(site.moving, name, both_ways), *_ballast(site, name, stiffness)]
 
 
+def _flanks(site: Site, values: Values) -> Component:
+    """Return a spring with play, which relaxes where its damper bears a share."""
+    made, family = {"d": 0.0, **dict(site.spring), "b": 2 * values["eps"]}, site.family
+    found: Component = (
+        family.ElastoBacklash(**made)
+        if _gives_at_once(site)
+        else family.RelaxingBacklash(**made, d_0=criteria.OIL_DAMPER_SHARE * made["d"])
+    )
+    return found
+
+
 def _gap(site: Site, name: str, values: Values) -> dict[str, float]:
     """Return the width of the gap by its path."""
-    if _has_flanks(site):
+    if site.spring:
         return {f"{site.path}.b": 2 * values["eps"]}
     return {f"{name}.gap.{key}": value for key, value in _width(site, values).items()}
 

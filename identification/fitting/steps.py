@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...base import Array
 
-CUTOFFS = 0.1, 0.15, 0.22, 0.33, 0.5, 0.75  # that are tried [rate]; lower ones show in the spectrum
+CUTOFFS = 0.1, 0.15, 0.22, 0.33, 0.5, 0.75, 1.1, 1.7  # that are tried [rate]; lower ones show in the spectrum
 FINER = 1.5  # over the best of them, and under it, the filter's own is looked for
 REACH = 1.6  # [1/cut-off] after which nothing is left of the rounding, by a thousandth
 ROUNDED_SHARE = 0.8  # of the squares of what is missed, below which it must come to be believed

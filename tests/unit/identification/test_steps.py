@@ -52,7 +52,7 @@ def test_no_filter_rounds_nothing_and_a_channel_without_steps_has_none() -> None
     assert cutoff_of("a", [np.ones(len(steps.time))], [still], RATE) == inf
 
 
-@pytest.mark.parametrize("cutoff", [27.0, 40.0, 100.0])
+@pytest.mark.parametrize("cutoff", [27.0, 40.0, 100.0, 240.0])
 @pytest.mark.parametrize("noise", [0.0, 0.05])
 def test_the_cutoff_is_heard_in_what_is_missed(cutoff: float, noise: float) -> None:
     """What is not compared does not count, however wrong."""
