@@ -32,6 +32,13 @@ def _breaks_away(values: Values) -> bool:
     return static >= sliding
 
 
+def _leaning(values: Values) -> list[dict[str, float]]:
+    """Return friction that differs a little by direction, both ways: where it does not, runs are a ridge."""
+    (one, forward), (other, backward) = values.items()
+    leans = criteria.LEAN_OF_START, -criteria.LEAN_OF_START
+    return [{one: (1 + lean) * forward, other: (1 - lean) * backward} for lean in leans]
+
+
 def _smooth(site: Site) -> dict[str, float]:
     """Return what keeps friction from sticking."""
     return {"regularised": criteria.REVERSAL_SPEED_RATIO * site.speed}
@@ -83,6 +90,7 @@ across(
     ),
     lambda motion, _: [np.maximum(motion.direction, 0), np.minimum(motion.direction, 0)],
     plain=("coulomb_friction", (1.0, 1.0)),
+    likewise=_leaning,
 )
 across(
     "position_dependent_friction",

@@ -117,7 +117,7 @@ class Effect:
         displaces: whether it acts on what stands still, so that a machine rests elsewhere than without it.
         credible: whether values are those of such an effect, and do not only bend its law into another.
         plain: a special case: its kind, and what each size is then, over its one size, or over each of them.
-        likewise: values -> others at which it is the special case, too, that it is with these.
+        likewise: values -> others to begin at, where it is, or nearly, the special case it is with these.
     """
 
     kind: str

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 
@@ -36,7 +37,9 @@ def _rounded(study: Study, model: Refit) -> Study:
     if not isinstance(joint.predictor, NetworkPredictor) or not joint.predictor.dae.hybrid:
         return study
     runs = [joint.run_on(experiment) for experiment in campaign.training]
-    cutoffs = {name: _cutoff(runs, name) for name in campaign.outputs}
+    alone = {name: _cutoff(runs, name) for name in campaign.outputs}
+    heard = [cutoff for cutoff in alone.values() if cutoff < inf]
+    cutoffs = {name: own if own < inf else _cutoff(runs, name, heard) for name, own in alone.items()}
     if all(cutoff == campaign.floors[name].cutoff for name, cutoff in cutoffs.items()):
         return study
     floors = [
@@ -46,8 +49,11 @@ def _rounded(study: Study, model: Refit) -> Study:
     return replace(study, campaign=campaign.with_floors(floors))
 
 
-def _cutoff(runs: Sequence[RecordRun], name: str) -> float:
-    """Return the cut-off of the filter that has rounded the steps of a channel [Hz], or that is known."""
+def _cutoff(runs: Sequence[RecordRun], name: str, beside: Sequence[float] = ()) -> float:
+    """Return the cut-off of the filter that has rounded the steps of a channel [Hz], or that is known.
+
+    Other channels have such ones `beside`.
+    """
     missed, steps = list[Array](), list[Steps]()
     for run in runs:
         assert isinstance(run.found, Prediction)
@@ -62,7 +68,7 @@ def _cutoff(runs: Sequence[RecordRun], name: str) -> float:
         steps.append(replace(found, sizes={name: weight * found.sizes[name]}))
     if not any(found.sizes[name].any() for found in steps):
         return runs[0].experiment.floors[name].cutoff
-    return cutoff_of(name, missed, steps, max(run.experiment.rate for run in runs))
+    return cutoff_of(name, missed, steps, max(run.experiment.rate for run in runs), beside)
 
 
 def _whole(study: Study, model: Refit, anew: bool) -> Refit:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from copy import copy
+from dataclasses import dataclass, field, replace
 from math import inf
 
 from ...components import InertanceError
@@ -13,6 +14,7 @@ from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .crew import LATE, Crew, Fit, Outcome
+from .joint_fit import JointFit
 from .model_comparison import Refit, best_of, unexplained
 from .needless import needless
 from .score_test import Candidate, screen
@@ -42,7 +44,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     """
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
-    early = None if base.effects else Crew(study).ask(_screened_as_given)
+    early = None if base.effects else Crew(study).ask(_screened_as_given, base)
     try:
         candidates = screen(study, base.parameters, base.effects, near=base)
     except InertanceError as error:
@@ -85,6 +87,7 @@ def _fit(
     base, fitted, failed = near or done.base, done.fitted, done.failed
     waiting = leading(candidates, base.labels)
     crew, tried, kept, hidden = Crew(study), list[Candidate](), 0.0, list[Candidate]()
+    hides = early is not None and _hides(study.campaign, base, candidates)
     under_way = deque[tuple[Candidate, Outcome]]()
     while under_way or (waiting and not study.late()):
         ready = _ready(waiting, [candidate for candidate, _ in under_way])
@@ -106,11 +109,20 @@ def _fit(
             _keep(fitted, found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept, fitted)
+        if hides and early is not None and len(tried) - len(under_way) >= criteria.RESERVES_PER_ROUND:
+            hides = False
+            if _much_is_left(study.campaign, (base, *fitted), base):
+                study.tell("parameters went far off: screening where they were given")
+                hidden, done.unscreened = early()
+                waiting = [*leading(hidden, ())[: criteria.CONTENDERS_BESIDE_HELD], *waiting]
         over = not waiting and not under_way and not study.late()
         if over and early is not None and _much_is_left(study.campaign, (base, *fitted), base):
-            study.tell("much is left: screening where the parameters were given")
-            (hidden, done.unscreened), early = early(), None
-            waiting = _reserve(candidates, hidden, tried, _ran_away(study.campaign, base))
+            overlooked = list[Candidate]()
+            if not hidden:
+                study.tell("much is left: screening where the parameters were given")
+                hidden, done.unscreened = early()
+                overlooked = hidden
+            waiting, early = _reserve(candidates, overlooked, tried, _ran_away(study.campaign, base)), None
         elif over and early is not None and _ran_away(study.campaign, best_of((base, *fitted))):
             study.tell("what fits best takes parameters far off: trying what is in series")
             waiting, early = _reserve(candidates, (), tried, True), None
@@ -119,12 +131,31 @@ def _fit(
     done.candidates.extend(c for c in hidden if c.label not in screened)
 
 
-def _screened_as_given(study: Study) -> tuple[list[Candidate], str]:
-    """Return effects as they are screened where the parameters were given; none with why they cannot be."""
+def _screened_as_given(study: Study, base: Refit) -> tuple[list[Candidate], str]:
+    """Return effects as they are screened where the parameters were given; none with why they cannot be.
+
+    Of a model with parameters that ran away the others are fitted beside these.
+    """
     try:
-        return screen(study, study.campaign.start), ""
+        held = _held(study, base)
+        return screen(study, held.parameters if held else study.campaign.start, near=held), ""
     except InertanceError as error:
         return [], error.headline
+
+
+def _held(study: Study, base: Refit) -> Refit | None:
+    """Return the model whose parameters that run away are held where they were given; None if none do."""
+    campaign, known, model = copy(study.campaign), study.campaign.priors, None
+    away, held = _away(study.campaign, base), set[str]()
+    while away - held:
+        held |= away
+        campaign.priors = {
+            n: replace(prior, sd=criteria.HELD_SHARE * prior.sd) if n in held else prior
+            for n, prior in known.items()
+        }
+        model = JointFit(replace(study, campaign=campaign), campaign.start).fitted()
+        away = _away(study.campaign, model)
+    return model
 
 
 def only_bends(placed: Hypothesis, base: Refit, first: Round) -> str:
@@ -163,8 +194,20 @@ def _keep(fitted: list[Refit], found: Refit) -> None:
 
 def _ran_away(campaign: Campaign, base: Refit) -> bool:
     """Tell whether parameters are so far from what was assumed that other starts than there must be tried."""
-    moved = (campaign.priors[name].moved(value) for name, value in base.parameters.items())
-    return max(moved, default=0.0) > criteria.MOVED_STANDARD_DEVIATIONS
+    return bool(_away(campaign, base))
+
+
+def _away(campaign: Campaign, model: Refit) -> set[str]:
+    """Return the parameters of a model that are far from what was assumed."""
+    moved = {name: campaign.priors[name].moved(value) for name, value in model.parameters.items()}
+    return {name for name, far in moved.items() if far > criteria.MOVED_STANDARD_DEVIATIONS}
+
+
+def _hides(campaign: Campaign, base: Refit, candidates: Sequence[Candidate]) -> bool:
+    """Tell whether parameters went far off for something that no candidate explains from there, by far."""
+    missed = base.cost * (1 - 1 / max(base.misfit, 1.0) ** 2)
+    most = max((candidate.gain for candidate in candidates), default=0.0)
+    return _ran_away(campaign, base) and most < criteria.SCREENED_SHARE * missed
 
 
 def _much_is_left(campaign: Campaign, models: Sequence[Refit], base: Refit) -> bool:

@@ -15,6 +15,7 @@ CUTOFFS = 0.1, 0.15, 0.22, 0.33, 0.5, 0.75, 1.1, 1.7  # that are tried [rate]; l
 FINER = 1.5  # over the best of them, and under it, the filter's own is looked for
 REACH = 1.6  # [1/cut-off] after which nothing is left of the rounding, by a thousandth
 ROUNDED_SHARE = 0.8  # of the squares of what is missed, below which it must come to be believed
+KNOWN_SHARE = 0.9  # the same where another channel of the logger has such a filter
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +60,13 @@ class Steps:
         return added
 
 
-def cutoff_of(name: str, missed: Sequence[Array], steps: Sequence[Steps], rate: float) -> float:
+def cutoff_of(
+    name: str,
+    missed: Sequence[Array],
+    steps: Sequence[Steps],
+    rate: float,
+    beside: Sequence[float] = (),
+) -> float:
     """Return the cut-off [Hz] of the filter that has rounded a channel's steps; infinite if none shows.
 
     Args:
@@ -68,6 +75,7 @@ def cutoff_of(name: str, missed: Sequence[Array], steps: Sequence[Steps], rate: 
             nothing is compared.
         steps: by record, where it jumps, sizes in these units, too.
         rate: of samples [Hz].
+        beside: cut-offs of other channels of the logger [Hz]. One about there is believed for less.
     """
     from scipy.optimize import minimize_scalar
 
@@ -77,4 +85,5 @@ def cutoff_of(name: str, missed: Sequence[Array], steps: Sequence[Steps], rate: 
 
     best = min((share * rate for share in CUTOFFS), key=squares)
     near = minimize_scalar(squares, bounds=(best / FINER, best * FINER), method="bounded")
-    return float(near.x) if near.fun < ROUNDED_SHARE * squares(inf) else inf
+    alike = any(1 / FINER < near.x / other < FINER for other in beside)
+    return float(near.x) if near.fun < (KNOWN_SHARE if alike else ROUNDED_SHARE) * squares(inf) else inf

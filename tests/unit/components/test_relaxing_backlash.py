@@ -57,7 +57,7 @@ def swept(k: float, d: float, b: float, t: np.ndarray, step: float = 1e-5) -> np
         moved = min(max(relaxed, place - b / 2), place + b / 2)
         forces.append(0.0 if moved == relaxed else k * moved + d * (moved - length) / step)
         length = moved
-    return np.array(forces)[np.round(t / step).astype(int)]
+    return np.array([forces[round(instant / step)] for instant in t])
 
 
 @settings(max_examples=12, deadline=None)

@@ -66,6 +66,16 @@ def test_the_cutoff_is_heard_in_what_is_missed(cutoff: float, noise: float) -> N
     assert cutoff_of("a", missed, all_steps, RATE) == pytest.approx(cutoff, rel=0.1)
 
 
+def test_a_filter_is_believed_for_less_where_another_channel_has_it() -> None:
+    """Noise of an eighth of a step hides it otherwise; one that is elsewhere tells nothing."""
+    rng = np.random.default_rng(8)
+    sharp, steps = stepping(6)
+    missed = zero_phase(sharp, 100.0)[::EVERY] - sharp[::EVERY] + 0.13 * rng.standard_normal(len(steps.time))
+    assert cutoff_of("a", [missed], [steps], RATE) == inf
+    assert cutoff_of("a", [missed], [steps], RATE, [20.0]) == inf
+    assert cutoff_of("a", [missed], [steps], RATE, [110.0]) == pytest.approx(100.0, rel=0.2)
+
+
 def test_a_filter_with_phase_is_heard_too_as_it_has_delayed_the_input_as_well() -> None:
     """It takes as much as one without phase of a higher cut-off, which is passed twice."""
     sharp, steps = stepping(3)
