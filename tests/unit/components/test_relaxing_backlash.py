@@ -1,5 +1,6 @@
 """Backlash behind a spring and damper that relax: what a flank gives, it gives back slowly."""
 
+from collections.abc import Callable
 from typing import Any
 
 import inertance as ia
@@ -8,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from inertance import rotational
-from scipy.optimize import brentq
+from scipy.optimize import root_scalar
 
 A, W = 0.01, 12.0  # of the motion that is given
 
@@ -18,6 +19,10 @@ def held(element: Any, **others: Any) -> ia.Network:
     given = ia.Position(exact=True, s_ref=lambda t: A * np.sin(W * t))
     net = ia.Network("held", wall=ia.Fixed(), element=element, drive=given, **others)
     return net.connect(net.wall.flange, net.element.flange_a).connect(net.element.flange_b, net.drive.flange)
+
+
+def root(of: Callable[[float], float], low: float, high: float) -> float:
+    return float(root_scalar(of, bracket=(low, high), xtol=1e-15).root)
 
 
 def test_flanks_touch_and_let_go_where_the_equations_say() -> None:
@@ -32,13 +37,13 @@ def test_flanks_touch_and_let_go_where_the_equations_say() -> None:
         return float(A * W * np.cos(W * t))
 
     first = float(np.arcsin(b / 2 / A)) / W
-    leaves = brentq(lambda t: k * (x(t) - b / 2) + d * v(t), np.pi / 2 / W, np.pi / W)
+    leaves = root(lambda t: k * (x(t) - b / 2) + d * v(t), np.pi / 2 / W, np.pi / W)
     stretch = x(leaves) - b / 2
 
     def relaxed(t: float) -> float:
         return float(stretch * np.exp(-k * (t - leaves) / d))
 
-    struck = brentq(lambda t: x(t) + b / 2 - relaxed(t), leaves, 1.5 * np.pi / W)
+    struck = root(lambda t: x(t) + b / 2 - relaxed(t), leaves, 1.5 * np.pi / W)
     assert [event.time for event in run.events[:3]] == pytest.approx([first, leaves, struck], abs=1e-8)
     assert run.at("element.f", first + 1e-9) == pytest.approx(d * v(first), rel=1e-5)
     late = (leaves + struck) / 2
