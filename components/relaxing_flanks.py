@@ -39,8 +39,9 @@ class RelaxingFlanks(Lossy):
         yield self.d * der(self.z) == self.pressing - self.stiffness * self.z
 
     def transitions(self) -> Stated:
-        ahead, behind = self.offset - self.width / 2 - self.z, self.z - self.width / 2 - self.offset
+        pulled, pushed = self.offset - self.width / 2, self.offset + self.width / 2  # stretch in contact
+        ahead, behind = pulled - self.z, self.z - pushed
         yield self.mode.goes("free", "forward", when=ca.fmin(ahead, self.forward) > 0)
-        yield self.mode.goes("forward", "free", when=self.forward < 0)
+        yield self.mode.goes("forward", "free", when=self.forward < 0, reset={"z": pulled})
         yield self.mode.goes("free", "backward", when=ca.fmin(behind, -self.backward) > 0)
-        yield self.mode.goes("backward", "free", when=self.backward > 0)
+        yield self.mode.goes("backward", "free", when=self.backward > 0, reset={"z": pushed})

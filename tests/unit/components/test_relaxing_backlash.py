@@ -79,6 +79,21 @@ def test_it_is_a_process_of_sweeping_whatever_the_numbers(k: float, d: float, b:
     assert np.quantile(away, 0.97) < 2e-3 * np.abs(wanted).max()  # a jump is within a step of the process
 
 
+@pytest.mark.parametrize("size", [1e-6, 0.01])
+@pytest.mark.parametrize("phase", [1.0, 2.0, 3.5, 5.0])
+def test_begun_in_motion_beyond_its_backlash_it_comes_to_what_it_would_be(size: float, phase: float) -> None:
+    """Its stretch is not known then: it begins with none, between flanks or in what would be one."""
+    begin, k, d, b = 137.0, 2e4, 900.0, 0.4 * size
+    given = ia.Position(exact=True, s_ref=lambda t: size * np.sin(W * (t - begin) + phase))
+    net = ia.Network("begun", wall=ia.Fixed(), element=ia.RelaxingBacklash(k=k, d=d, b=b), drive=given)
+    net.connect(net.wall.flange, net.element.flange_a).connect(net.element.flange_b, net.drive.flange)
+    run = net.simulate(begin + 1.0, begin=begin, step=2e-3)
+    later = np.arange(0.4, 1.0, 2e-3)
+    wanted = swept(k, d, b * A / size, later + phase / W) * size / A
+    away = np.abs(run.at("element.f", begin + later) - wanted)
+    assert np.quantile(away, 0.97) < 2e-3 * np.abs(wanted).max()
+
+
 @pytest.mark.parametrize("pulled", [True, False])
 def test_without_backlash_it_is_a_spring_and_damper(pulled: bool) -> None:
     made: dict[str, Any] = {"k": 500.0, "d": 12.0, "s_rel0": 0.2}
