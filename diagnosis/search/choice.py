@@ -58,14 +58,21 @@ def _sited(best: Refit, clear: Sequence[Refit]) -> Refit:
 def is_worth_it(plain: Refit, richer: Refit) -> bool:
     """Tell whether a generalisation does clearly better, and not only mends what no law has quite right.
 
-    One that leaves nothing but noise, where its special case clearly leaves more, does clearly better.
+    One that leaves nothing but noise does, where its special case clearly leaves more, or where training and
+    test records tell one from the other.
     """
     left = plain.misfit**2 - 1.0
     taken = plain.misfit**2 - richer.misfit**2
     nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
     nearly_all = left > 0 and taken > criteria.SURE_GENERALISATION_SHARE * left
-    clear = nothing_left or nearly_all or is_clear(plain, richer)
+    clear = nothing_left or nearly_all or _is_told(plain, richer) or is_clear(plain, richer)
     return taken > criteria.GENERALISATION_SHARE * left and clear
+
+
+def _is_told(plain: Refit, richer: Refit) -> bool:
+    """Tell whether one leaves nothing but noise, and training and test records tell it from the other."""
+    won = plain.cost - richer.cost, float(plain.blocks.sum() - richer.blocks.sum())
+    return richer.misfit <= criteria.NOISE_MISFIT and min(won) > criteria.LEAST_CHI_SQUARED_GAIN
 
 
 def is_worth_exchanging(model: Refit, other: Refit) -> bool:

@@ -10,9 +10,10 @@ from ...components import InertanceError
 from ...identification import Campaign
 from .. import criteria
 from ..models.study import Study
+from .choice import is_worth_it
 from .crew import Crew
 from .joint_fit import JointFit
-from .model_comparison import Refit
+from .model_comparison import Refit, best_of
 from .round import Round
 
 
@@ -21,14 +22,17 @@ def reweighed(
 ) -> tuple[Refit, Refit, Refit, list[Round]] | None:
     """Return models and rounds of a study with what its records weigh since; None if a model cannot be run.
 
-    The model that was chosen is fitted on from where it is, the others stay as they are. What is compared of
-    the records may be the same as `before`: what models missed that are but held against others is scaled.
+    The model that was chosen and what generalises it are fitted on from where they are, and chosen of anew;
+    the others stay as they are. What is compared of the records may be the same as `before`: what models
+    missed that are but held against others is scaled.
     """
     crew = Crew(study)
-    needed = [start, base, chosen, *(done.base for done in rounds)]
+    richer = [model for model in rounds[-1].fitted if model.effects[-1].generalises(chosen.effects[-1])]
+    fitted = [chosen, *richer]
+    needed = [start, base, *fitted, *(done.base for done in rounds)]
     others = [model for done in rounds for model in done.fitted]
     run = needed if _compare_alike(before.campaign, study.campaign) else [*needed, *others]
-    begun = {model: crew.ask(_weighed, model, model is chosen) for model in dict.fromkeys(run)}
+    begun = {model: crew.ask(_weighed, model, model in fitted) for model in dict.fromkeys(run)}
     found = {model: weighed for model, outcome in begun.items() if (weighed := outcome()) is not None}
     if not {*needed} <= {*found}:
         return None
@@ -37,7 +41,8 @@ def reweighed(
         replace(done, base=found[done.base], fitted=[found[m] for m in done.fitted if m in found])
         for done in rounds
     ]
-    return found[start], found[base], found[chosen], again
+    better = [model for other in richer if is_worth_it(found[chosen], model := found[other])]
+    return found[start], found[base], best_of(better or [found[chosen]]), again
 
 
 def _compare_alike(before: Campaign, after: Campaign) -> bool:

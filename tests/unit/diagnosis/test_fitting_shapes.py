@@ -60,10 +60,10 @@ def campaign() -> Campaign:
     )
 
 
-def leaving(residual: Array) -> Refit:
+def leaving(residual: Array, cost: float = 0.0) -> Refit:
     """Return a model that leaves so much of the test record."""
     blocks = stretches(campaign().testing)
-    return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], 0.0, blocks, len(residual))
+    return Refit({}, (hysteresis(TRAVEL),), [], [{"s": residual}], cost, blocks, len(residual))
 
 
 def test_an_overtone_alone_is_a_ripple_of_its_own() -> None:
@@ -100,6 +100,24 @@ def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, 
     burst = np.where(np.arange(1001) < 50, 3.0, 0.0)
 
     plain, richer = leaving(noise + burst), leaving(noise + left / 3 * burst)
+    assert clearness(plain, richer) < 3
+    assert is_worth_it(plain, richer) is worth
+
+
+@pytest.mark.parametrize(
+    ("drop", "left", "worth"),
+    [(90.0, 0.0, True), (10.0, 0.0, False), (-90.0, 0.0, False), (90.0, 0.4, False)],
+)
+def test_what_generalises_is_worth_it_if_all_records_tell_beside_mere_noise(
+    drop: float, left: float, worth: bool
+) -> None:
+    """By test records alone it is not: few stretches tell, and little is left without it, too."""
+    rng = np.random.default_rng(0)
+    noise = rng.standard_normal(1001)
+    noise /= np.sqrt(np.mean(noise**2))
+    burst, hum = np.where(np.arange(1001) < 20, 2.5, 0.0), left * np.sin(np.arange(1001.0))
+
+    plain, richer = leaving(noise + burst + hum, 1000.0), leaving(noise + 0.6 * burst + hum, 1000.0 - drop)
     assert clearness(plain, richer) < 3
     assert is_worth_it(plain, richer) is worth
 

@@ -340,6 +340,31 @@ def test_models_that_stay_are_weighed_with_other_noise(cart: Any, ratio: float, 
     assert done.fitted[1].cost == pytest.approx(run.cost, rel=1e-6)
 
 
+def test_what_generalises_is_chosen_once_noise_is_known_beside_which_it_shows(cart: Any) -> None:
+    """It had been left off far from the truth, while other noise was thought to be there."""
+    truth = cart.rig()
+    truth.add(rail=ia.AsymmetricFriction(f_forward=0.6, f_backward=0.9)).connect(
+        truth.wall.flange, truth.rail.flange_a
+    )
+    truth.connect(truth.rail.flange_b, truth.carriage.flange)
+    given = study(cart, truth, cart.rig(), {"spring.k": {"rel": 0.2}})
+    base = JointFit(given, given.campaign.start).fitted()
+    plain = JointFit(given, base.parameters, [rail("guide", f_c=0.75)]).fitted()
+    astray = [rail("guide", "asymmetric_friction", f_forward=0.7, f_backward=0.75)]
+    richer = JointFit(given, base.parameters, astray)
+    before = richer.seen(richer.start)
+    floors = [
+        {name: replace(floor, sigma=1.01 * floor.sigma) for name, floor in e.floors.items()}
+        for e in given.campaign.experiments
+    ]
+    heard = replace(given, campaign=given.campaign.with_floors(floors))
+    again = reweighed(given, heard, base, base, plain, [searched.Round(base, [], [plain, before])])
+    assert again is not None
+    _, _, chosen, (done,) = again
+    assert chosen is done.fitted[1]
+    assert chosen.effects[0].values == pytest.approx({"f_forward": 0.6, "f_backward": 0.9}, rel=1e-2)
+
+
 @pytest.fixture
 def asked(monkeypatch: pytest.MonkeyPatch) -> list[float | None]:
     """How closely it was asked each time where a record begins."""
