@@ -25,7 +25,7 @@ from .search.crew import LATE
 from .search.hearing import heard_beside
 from .search.joint_fit import JointFit
 from .search.model_comparison import Refit, gap_taken, unexplained
-from .search.revision import Rivals, pruned, revised
+from .search.revision import Rivals, plainer, pruned, revised
 from .search.reweighed import is_slight, reweighed
 from .search.round import Round, go_on, run_round
 from .search.tried import Tried, without
@@ -126,6 +126,7 @@ def diagnose(
                     best, rivals, before, rounds, ahead = base, Rivals(), rounds, [], False
                     continue
             best, rivals = revised(pruned(chosen, tried), rounds, tried)
+        best = plainer(best, tried)
         notes = [*notes, *_left_out(study, budget, rounds), *_unscreened(rounds)]
         if known and study.late() and not best.effects:
             study, start, base, best, rounds = known

@@ -48,6 +48,7 @@ class Site:
         sticks: whether it is dry friction, beside which something must have inertia.
         load: path of the flange through which the force comes that loads it; `moving` if not given.
         neighbours: paths of the sites at one of its nodes, whose forces may load it, too.
+        line: paths of the sites that bear its force, too, nothing else being joined between them and it.
         passes_on: whether a force comes through it from a third node, as through a gear or a screw.
         rubs: whether dry friction acts between its flanges, whatever part that is of.
         rest: distance at the start of a run of the nominal model that begins at rest; without one, the mean,
@@ -74,6 +75,7 @@ class Site:
     sticks: bool = False
     load: str = ""
     neighbours: tuple[str, ...] = ()
+    line: tuple[str, ...] = ()
     passes_on: bool = False
     rubs: bool = False
     rest: float = 0.0
@@ -117,7 +119,32 @@ def sites_of(network: Network) -> list[Site]:
             )
             found.setdefault(ends, []).append(replace(site, grounded=-1 in ends))
     merged = [(ends, site) for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
-    return [replace(site, neighbours=tuple(_neighbours(ends, merged))) for ends, site in merged]
+    joints = [joint for number, node in enumerate(nodes) if (joint := _joint(number, node, parts, merged))]
+    return [
+        replace(site, neighbours=tuple(_neighbours(ends, merged)), line=_line(site.path, joints))
+        for ends, site in merged
+    ]
+
+
+def _joint(
+    number: int,
+    node: set[str],
+    parts: Mapping[str, Component],
+    sites: Sequence[tuple[frozenset[object], Site]],
+) -> set[str] | None:
+    """Return the paths of the two sites that a node joins, if nothing else is there; None of other nodes."""
+    joined = {path for port in node if not parts_of(parts[path := port.rpartition(".")[0]])}
+    here = {site.path for ends, site in sites if number in ends and "series" in site.places}
+    passed = any(site.passes_on for _, site in sites if site.path in here)
+    return here if len(here) == 2 and joined == here and not passed else None
+
+
+def _line(path: str, joints: Sequence[set[str]]) -> tuple[str, ...]:
+    """Return the other paths of the line that a path is in."""
+    line = {path}
+    while more := [joint - line for joint in joints if len(joint & line) == 1]:
+        line = line.union(*more)
+    return tuple(sorted(line - {path}))
 
 
 def _neighbours(ends: frozenset[object], sites: Sequence[tuple[frozenset[object], Site]]) -> Iterator[str]:

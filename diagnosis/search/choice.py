@@ -64,7 +64,8 @@ def is_worth_it(plain: Refit, richer: Refit) -> bool:
     left = plain.misfit**2 - 1.0
     taken = plain.misfit**2 - richer.misfit**2
     nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
-    nearly_all = left > 0 and taken > criteria.SURE_GENERALISATION_SHARE * left
+    something_left = plain.misfit > criteria.NOISE_MISFIT
+    nearly_all = something_left and taken > criteria.SURE_GENERALISATION_SHARE * left
     clear = nothing_left or nearly_all or _is_told(plain, richer) or is_clear(plain, richer)
     return taken > criteria.GENERALISATION_SHARE * left and clear
 

@@ -38,6 +38,23 @@ def revised(best: Refit, rounds: Sequence[Round], tried: Tried, anew: bool = Fal
     return best, {}
 
 
+def plainer(best: Refit, tried: Tried) -> Refit:
+    """Return the model with special cases of its effects that do as well, fitted from where those are.
+
+    Fitted from elsewhere, they may have ended in another minimum.
+    """
+    for position, placed in enumerate(best.effects):
+        special = placed.special
+        if special is None or tried.study.late():
+            continue
+        tried.study.tell(f"trying {special.label}, a special case, from where {placed.effect.kind} led")
+        fit = Fit(special, _others(placed, best), [(best.parameters, special.values)], best.cost)
+        found = tried.crew.begin(fit)()
+        if isinstance(found, Refit) and not is_worth_it(found, best):
+            best = _ordered(found, special.label, position)
+    return best
+
+
 def pruned(best: Refit, tried: Tried) -> Refit:
     """Return the model without those effects that a later one has made needless, as its special cases are."""
     *earlier, last = best.effects

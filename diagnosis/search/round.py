@@ -287,9 +287,10 @@ def _reserve(
 def same_motion(one: Candidate, other: Candidate) -> bool:
     """Tell whether two candidates are one effect seen from two sites of one motion; channels have none.
 
-    A friction that is loaded by what it leaves is none that is loaded by what comes, however small both are.
+    What is in series is the same anywhere in a line, in which all bears one force. A friction that is loaded by what it leaves is none that is loaded by what comes, however small both are.
     """
     moved = "channel" not in one.site.places and other.gain > 0
     close = abs(one.gain - other.gain) <= criteria.SAME_MOTION_GAIN_TOLERANCE * other.gain
+    in_line = one.effect.place == "series" and one.site.path in other.site.line
     pressed = bool(one.site.load) == bool(other.site.load)
-    return moved and one.effect.kind == other.effect.kind and close and pressed
+    return moved and one.effect.kind == other.effect.kind and (close or in_line) and pressed

@@ -24,6 +24,7 @@ UNKNOWN_SHARE = 0.95  # of the measured power from a frequency on, above which a
 LEAST_SPAN = 2.5  # times that frequency, up to where noise is level at least; a machine's answer falls
 EVEN_RATIO = 6.0  # of the densities there, that noise keeps to though a filter has begun
 STEADY_SHARE = 0.5  # of the records, in which it is as strong at all times
+UNLIKE_RATIO = 2.0  # of its power between records, to which it keeps where they were thought to have the same
 UNDERRATED_RATIO = 1.1  # of noise over what was thought, from which on that is corrected
 
 
@@ -34,7 +35,8 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     Where that is level from there, or from a higher one, up to a multiple of it, and as strong at all times,
     it is noise: what a machine does on its own falls with frequency. It is taken to be as strong below, and
     above as strong as was measured. What follows an input is none: a random drive has an even and steady
-    answer, too. Nor is what no sensor would be kept with.
+    answer, too. Nor is what differs from record to record though their noise did not, as a machine's motion
+    does, nor what no sensor would be kept with.
 
     Args:
         records: of one channel; too short ones, and those of which nothing is missed, have the noise of the
@@ -57,6 +59,9 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
         record: float(np.median(density[band]) * band.stop + density[band.stop + 1 :].sum()) / lengths[record]
         for record, density in missed.items()
     }
+    ratios = [power / record.floor.sigma**2 for record, power in powers.items()]
+    if max(ratios) > UNLIKE_RATIO * min(ratios):
+        return None
     mean = float(np.mean([*powers.values()]))
     if mean < UNDERRATED_RATIO**2 * np.mean([record.floor.sigma**2 for record in lengths]):
         return None

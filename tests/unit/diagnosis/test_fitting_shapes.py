@@ -132,6 +132,17 @@ def test_what_generalises_is_not_worth_it_where_noise_was_thought_to_be_larger()
         assert not is_worth_it(leaving(noise), leaving(other))
 
 
+def test_what_takes_nearly_all_away_is_not_worth_it_where_that_may_be_chance() -> None:
+    rng = np.random.default_rng(0)
+    noise = rng.standard_normal(1001)
+    noise /= np.sqrt(np.mean(noise**2))
+    few = np.where(np.arange(1001) < 20, 1.2, 0.0)
+
+    plain, richer = leaving(noise + few, 20.0), leaving(noise)
+    assert plain.misfit**2 - 1 > 4 * (richer.misfit**2 - 1)
+    assert not is_worth_it(plain, richer)
+
+
 def test_what_takes_nearly_all_away_is_worth_it_though_most_stretches_do_not_tell() -> None:
     rng = np.random.default_rng(0)
     noise = rng.standard_normal(1001)
