@@ -9,6 +9,7 @@ from typing import Any
 
 from ...components import (
     FAMILIES,
+    Compliant,
     Component,
     Domain,
     Fixed,
@@ -119,24 +120,19 @@ def sites_of(network: Network) -> list[Site]:
             )
             found.setdefault(ends, []).append(replace(site, grounded=-1 in ends))
     merged = [(ends, site) for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
-    joints = [joint for number, node in enumerate(nodes) if (joint := _joint(number, node, parts, merged))]
+    joints = [joint for node in nodes if (joint := _joint(node, parts))]
     return [
         replace(site, neighbours=tuple(_neighbours(ends, merged)), line=_line(site.path, joints))
         for ends, site in merged
     ]
 
 
-def _joint(
-    number: int,
-    node: set[str],
-    parts: Mapping[str, Component],
-    sites: Sequence[tuple[frozenset[object], Site]],
-) -> set[str] | None:
-    """Return the paths of the two sites that a node joins, if nothing else is there; None of other nodes."""
-    joined = {path for port in node if not parts_of(parts[path := port.rpartition(".")[0]])}
-    here = {site.path for ends, site in sites if number in ends and "series" in site.places}
-    passed = any(site.passes_on for _, site in sites if site.path in here)
-    return here if len(here) == 2 and joined == here and not passed else None
+def _joint(node: set[str], parts: Mapping[str, Component]) -> set[str]:
+    """Return the paths of the two parts that a node joins, if each passes on its force; else none."""
+    ported = {port.rpartition(".")[0] for port in node}
+    joined = {path for path in ported if path not in parts or not parts_of(parts[path])}
+    passing = all(isinstance(parts.get(path), Compliant | rotational.Compliant) for path in joined)
+    return joined if passing and len(joined) == 2 else set()
 
 
 def _line(path: str, joints: Sequence[set[str]]) -> tuple[str, ...]:

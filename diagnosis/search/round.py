@@ -287,7 +287,8 @@ def _reserve(
 def same_motion(one: Candidate, other: Candidate) -> bool:
     """Tell whether two candidates are one effect seen from two sites of one motion; channels have none.
 
-    What is in series is the same anywhere in a line, in which all bears one force. A friction that is loaded by what it leaves is none that is loaded by what comes, however small both are.
+    What is in series is the same anywhere in a line, in which all bears one force. A friction that is loaded
+    by what it leaves is none that is loaded by what comes, however small both are.
     """
     moved = "channel" not in one.site.places and other.gain > 0
     close = abs(one.gain - other.gain) <= criteria.SAME_MOTION_GAIN_TOLERANCE * other.gain

@@ -24,7 +24,7 @@ UNKNOWN_SHARE = 0.95  # of the measured power from a frequency on, above which a
 LEAST_SPAN = 2.5  # times that frequency, up to where noise is level at least; a machine's answer falls
 EVEN_RATIO = 6.0  # of the densities there, that noise keeps to though a filter has begun
 STEADY_SHARE = 0.5  # of the records, in which it is as strong at all times
-UNLIKE_RATIO = 2.0  # of its power between records, to which it keeps where they were thought to have the same
+UNLIKE_RATIO = 2.0  # of powers between records, up to which they are alike
 UNDERRATED_RATIO = 1.1  # of noise over what was thought, from which on that is corrected
 
 
@@ -59,8 +59,7 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
         record: float(np.median(density[band]) * band.stop + density[band.stop + 1 :].sum()) / lengths[record]
         for record, density in missed.items()
     }
-    ratios = [power / record.floor.sigma**2 for record, power in powers.items()]
-    if max(ratios) > UNLIKE_RATIO * min(ratios):
+    if _are_alike([record.floor.sigma**2 for record in lengths]) and not _are_alike([*powers.values()]):
         return None
     mean = float(np.mean([*powers.values()]))
     if mean < UNDERRATED_RATIO**2 * np.mean([record.floor.sigma**2 for record in lengths]):
@@ -70,6 +69,10 @@ def uncovered_floors(records: Sequence[Heard]) -> list[NoiseFloor] | None:
     sigmas = [max(powers.get(record, mean) ** 0.5, record.floor.sigma) for record in records]
     highest = float(np.mean([0.5 * record.rate * share[1] for record, share in shares.items()]))
     return [NoiseFloor(sigma, LEFT_BY_FIT, highest) for sigma in sigmas]
+
+
+def _are_alike(powers: Sequence[float]) -> bool:
+    return max(powers) <= UNLIKE_RATIO * min(powers)
 
 
 def _level_band(missed: Mapping[Heard, Array], measured: Sequence[Array]) -> slice | None:

@@ -50,6 +50,29 @@ def test_sites_of_an_inerter_are_named_by_the_deepest_part() -> None:
     assert not any("actuator" in path or "frame" in path for path in found)
 
 
+def line_of(**between: ia.Component) -> dict[str, tuple[str, ...]]:
+    """Return, by site, what is in one line with it, of parts in a row from a wall to a mass."""
+    net = ia.Network("row", wall=ia.Fixed(), mass=ia.Mass(m=1.0), **between)
+    ports = [net.wall.flange, *(p for one in between.values() for p in (one.flange_a, one.flange_b))]
+    ports.append(net.mass.flange)
+    for one, other in zip(ports[::2], ports[1::2], strict=True):
+        net.connect(one, other)
+    return {site.path: site.line for site in sites_of(net)}
+
+
+def test_what_bears_one_force_is_in_one_line() -> None:
+    strut, inerter = ia.SpringDamper(k=1e3, d=1.0), ia.Inerter(b=2.0)
+    assert line_of(strut=strut, inerter=inerter) == {"strut": ("inerter",), "inerter": ("strut",), "mass": ()}
+    three = line_of(one=ia.Spring(k=1.0), two=ia.Damper(d=1.0), last=ia.Inerter(b=1.0))
+    assert three["two"] == ("last", "one")
+
+
+def test_what_a_body_or_a_sensor_parts_is_in_no_line() -> None:
+    assert not any(site.line for site in sites_of(cart()))
+    parted = line_of(strut=ia.Spring(k=1e3), cell=ia.ForceSensor(), inerter=ia.Inerter(b=2.0))
+    assert not any(parted.values())
+
+
 class ForceLimitingSpring(ia.Spring):
     """A user's element, named like a source."""
 

@@ -198,6 +198,20 @@ def test_what_a_model_misses_of_a_motion_is_no_noise_of_a_filter() -> None:
             assert uncovered(sweep, measured, RATE, parts=parts) is None
 
 
+@pytest.mark.parametrize("share", [1.0, 0.2])
+def test_what_differs_by_record_beside_the_same_noise_is_a_motion(share: float) -> None:
+    """Where a machine is driven more it rattles more, level up to the top of what is compared as well."""
+    rng, heard = np.random.default_rng(11), []
+    rattle = Filter(cutoff=60.0).apply(rng.standard_normal(24000), RATE)
+    for strength, missed in zip((1.0, share), np.array_split(0.05 * rattle, 2), strict=True):
+        signal = np.sin(11 * np.arange(12000) / RATE)
+        measured = signal + strength * missed + 1e-3 * rng.standard_normal(12000)
+        heard.append(Heard(measured - signal, measured, [], spectral_floor(measured, RATE), RATE))
+    assert heard[0].floor.sigma == pytest.approx(heard[1].floor.sigma, rel=0.1)
+    found = uncovered_floors(heard)
+    assert (found is not None) == (share == 1.0)
+
+
 @pytest.mark.parametrize("share", [0.02, 0.2])
 def test_what_follows_a_random_drive_is_no_noise_of_a_filter(share: float) -> None:
     """Its answer is even and steady, and a model may say nothing of it; noise is also both."""

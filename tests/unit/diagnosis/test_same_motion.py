@@ -1,5 +1,6 @@
 """What screening cannot tell apart: one motion of two sites is fitted once, each channel for itself."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -32,6 +33,17 @@ def test_sites_of_one_motion_are_fitted_once_and_stand_in_the_class() -> None:
     own, other = fitted(candidates[1]), fitted(candidates[2])
     members = _class(own, Round(base, candidates, [own, other]), [other])
     assert members == (("linear_stiffness", "rail"), ("linear_stiffness", "screw"))
+
+
+def test_what_is_in_series_is_fitted_once_in_a_line() -> None:
+    """Its gains differ, as screening thinks of a spring's play otherwise."""
+    stiff = [
+        replace(c, site=replace(c.site, line=(other,)))
+        for c, other in ((across("inerter", 1, 900.0), "strut"), (across("strut", 2, 880.0), "inerter"))
+    ]
+    play = [replace(c, effect=effect_of("backlash")) for c in stiff]
+    assert [c.site.path for c in leading(play, set())] == ["strut"]
+    assert leading(stiff, set()) == stiff
 
 
 def test_each_channel_is_fitted() -> None:

@@ -22,6 +22,7 @@ from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.needless import needless
 from inertance.diagnosis.search.record_start import settled
+from inertance.diagnosis.search.revision import plainer
 from inertance.diagnosis.search.reweighed import is_slight, reweighed
 from inertance.diagnosis.search.round import _ready
 from inertance.diagnosis.search.score_test import Candidate
@@ -340,13 +341,29 @@ def test_models_that_stay_are_weighed_with_other_noise(cart: Any, ratio: float, 
     assert done.fitted[1].cost == pytest.approx(run.cost, rel=1e-6)
 
 
+def leaning(cart: Any, forward: float, backward: float) -> ia.Network:
+    """Return the carriage with friction that may differ by direction."""
+    net = cart.rig()
+    net.add(rail=ia.AsymmetricFriction(f_forward=forward, f_backward=backward))
+    return net.connect(net.wall.flange, net.rail.flange_a).connect(net.rail.flange_b, net.carriage.flange)
+
+
+@pytest.mark.parametrize(("forward", "kind"), [(0.8, "coulomb_friction"), (0.6, "asymmetric_friction")])
+def test_an_effect_gives_way_to_its_special_case_that_does_as_well(
+    cart: Any, forward: float, kind: str
+) -> None:
+    given = study(cart, leaning(cart, forward, 0.8), cart.rig(), {"spring.k": {"rel": 0.2}})
+    begun = [rail("guide", "asymmetric_friction", f_forward=0.7, f_backward=0.8)]
+    richer = JointFit(given, given.campaign.start, begun).fitted()
+    best = plainer(richer, Tried(given))
+    assert best.labels == [f"{kind} at guide"]
+    assert best.misfit == pytest.approx(1.0, abs=0.05)
+    assert (best is richer) == (kind == "asymmetric_friction")
+
+
 def test_what_generalises_is_chosen_once_noise_is_known_beside_which_it_shows(cart: Any) -> None:
     """It had been left off far from the truth, while other noise was thought to be there."""
-    truth = cart.rig()
-    truth.add(rail=ia.AsymmetricFriction(f_forward=0.6, f_backward=0.9)).connect(
-        truth.wall.flange, truth.rail.flange_a
-    )
-    truth.connect(truth.rail.flange_b, truth.carriage.flange)
+    truth = leaning(cart, 0.6, 0.9)
     given = study(cart, truth, cart.rig(), {"spring.k": {"rel": 0.2}})
     base = JointFit(given, given.campaign.start).fitted()
     plain = JointFit(given, base.parameters, [rail("guide", f_c=0.75)]).fitted()
