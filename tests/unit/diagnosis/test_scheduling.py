@@ -343,7 +343,7 @@ def test_models_that_stay_are_weighed_with_other_noise(cart: Any, ratio: float, 
 
 def leaning(cart: Any, forward: float, backward: float) -> ia.Network:
     """Return the carriage with friction that may differ by direction."""
-    net = cart.rig()
+    net: ia.Network = cart.rig()
     net.add(rail=ia.AsymmetricFriction(f_forward=forward, f_backward=backward))
     return net.connect(net.wall.flange, net.rail.flange_a).connect(net.rail.flange_b, net.carriage.flange)
 
