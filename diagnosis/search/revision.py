@@ -48,7 +48,9 @@ def plainer(best: Refit, tried: Tried) -> Refit:
         if special is None or tried.study.late():
             continue
         tried.study.tell(f"trying {special.label}, a special case, from where {placed.effect.kind} led")
-        fit = Fit(special, _others(placed, best), [(best.parameters, special.values)], best.cost)
+        others = _others(placed, best)
+        renamed = replace(special, name=_free_name(special, others.effects))
+        fit = Fit(renamed, others, [(best.parameters, special.values)], best.cost)
         found = tried.crew.begin(fit)()
         if isinstance(found, Refit) and not is_worth_it(found, best):
             best = _ordered(found, special.label, position)

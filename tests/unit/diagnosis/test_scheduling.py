@@ -356,7 +356,7 @@ def test_an_effect_gives_way_to_its_special_case_that_does_as_well(
     begun = [rail("guide", "asymmetric_friction", f_forward=0.7, f_backward=0.8)]
     richer = JointFit(given, given.campaign.start, begun).fitted()
     best = plainer(richer, Tried(given))
-    assert best.labels == [f"{kind} at guide"]
+    assert [(p.label, p.name) for p in best.effects] == [(f"{kind} at guide", f"{kind}_1")]
     assert best.misfit == pytest.approx(1.0, abs=0.05)
     assert (best is richer) == (kind == "asymmetric_friction")
 
