@@ -6,7 +6,7 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from inertance import rotational
 from inertance.analysis import den_hartog, linearise
@@ -358,6 +358,7 @@ def test_a_foundation_has_the_damping_of_the_half_space() -> None:
 
 
 @FEW
+@example(m=5.0, e=0.1875, phi=0.0, w=34.0, v=0.0, tau=0.0)
 @given(
     m=st.floats(0.1, 5.0), e=st.floats(0.01, 0.2), phi=st.floats(-3.0, 3.0), w=st.floats(-40.0, 40.0),
     v=st.floats(-1.0, 1.0), tau=st.floats(-2.0, 2.0),
@@ -375,7 +376,7 @@ def test_an_unbalance_keeps_power_and_follows_lagrange(
     net.connect(net.motor.flange, net.rotor.flange, net.exciter.shaft)
     net.connect(net.wall.flange, net.spring.flange_a)
     net.connect(net.spring.flange_b, net.box.flange, net.exciter.flange)
-    run = net.simulate(1.0, step=1e-3, rtol=1e-9, atol=1e-11)
+    run = net.simulate(1.0, step=1e-3, rtol=1e-10, atol=1e-12)
 
     def lagrange(_: float, y: Any) -> list[float]:
         s, angle, v_s, rate = y
@@ -383,7 +384,7 @@ def test_an_unbalance_keeps_power_and_follows_lagrange(
         acting = [m * e * rate**2 * sin(angle) - k * s, tau]
         return [v_s, rate, *np.linalg.solve(inertia, acting)]
 
-    exact = solve_ivp(lagrange, (0, 1), [0.1, phi, v, w], rtol=1e-10, atol=1e-12, t_eval=[0.25, 0.5, 1.0])
+    exact = solve_ivp(lagrange, (0, 1), [0.1, phi, v, w], rtol=1e-12, atol=1e-13, t_eval=[0.25, 0.5, 1.0])
     for row, name in ((0, "box.s"), (1, "rotor.phi")):
         assert run.at(name, exact.t) == pytest.approx(exact.y[row], abs=1e-6)
     off = v_along(run, e)
