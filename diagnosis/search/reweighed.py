@@ -29,9 +29,9 @@ def reweighed(
     crew = Crew(study)
     richer = [model for model in rounds[-1].fitted if model.effects[-1].generalises(chosen.effects[-1])]
     fitted = [chosen, *richer]
-    needed = [start, base, *fitted, *(done.base for done in rounds)]
+    needed = [start, base, chosen, *(done.base for done in rounds)]
     others = [model for done in rounds for model in done.fitted]
-    run = needed if _compare_alike(before.campaign, study.campaign) else [*needed, *others]
+    run = [*needed, *(richer if _compare_alike(before.campaign, study.campaign) else others)]
     begun = {model: crew.ask(_weighed, model, model in fitted) for model in dict.fromkeys(run)}
     found = {model: weighed for model, outcome in begun.items() if (weighed := outcome()) is not None}
     if not {*needed} <= {*found}:
@@ -41,7 +41,8 @@ def reweighed(
         replace(done, base=found[done.base], fitted=[found[m] for m in done.fitted if m in found])
         for done in rounds
     ]
-    better = [model for other in richer if is_worth_it(found[chosen], model := found[other])]
+    run_on = [found[model] for model in richer if model in found]
+    better = [model for model in run_on if is_worth_it(found[chosen], model)]
     return found[start], found[base], best_of(better or [found[chosen]]), again
 
 

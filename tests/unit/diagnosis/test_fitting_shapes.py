@@ -60,6 +60,13 @@ def campaign() -> Campaign:
     )
 
 
+def white(rng: np.random.Generator) -> Array:
+    """Return white noise of the test record that is just as strong as was thought."""
+    noise = rng.standard_normal(1001)
+    noise /= np.sqrt(np.mean(noise**2))
+    return noise
+
+
 def leaving(residual: Array, cost: float = 0.0) -> Refit:
     """Return a model that leaves so much of the test record."""
     blocks = stretches(campaign().testing)
@@ -83,8 +90,7 @@ def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
     plain: float, richer: float, worth: bool
 ) -> None:
     rng = np.random.default_rng(0)
-    noise = rng.standard_normal(1001)
-    noise /= np.sqrt(np.mean(noise**2))
+    noise = white(rng)
 
     def fitted(misfit: float) -> Refit:
         return leaving(misfit * noise + 0.01 * rng.standard_normal(len(noise)))
@@ -95,8 +101,7 @@ def test_what_generalises_must_take_away_a_good_part_of_what_is_left(
 @pytest.mark.parametrize(("left", "worth"), [(0.0, True), (2.0, False)])
 def test_what_generalises_is_worth_it_if_nothing_is_left_but_noise(left: float, worth: bool) -> None:
     rng = np.random.default_rng(0)
-    noise = rng.standard_normal(1001)
-    noise /= np.sqrt(np.mean(noise**2))
+    noise = white(rng)
     burst = np.where(np.arange(1001) < 50, 3.0, 0.0)
 
     plain, richer = leaving(noise + burst), leaving(noise + left / 3 * burst)
@@ -113,8 +118,7 @@ def test_what_generalises_is_worth_it_if_all_records_tell_beside_mere_noise(
 ) -> None:
     """By test records alone it is not: few stretches tell, and little is left without it, too."""
     rng = np.random.default_rng(0)
-    noise = rng.standard_normal(1001)
-    noise /= np.sqrt(np.mean(noise**2))
+    noise = white(rng)
     burst, hum = np.where(np.arange(1001) < 20, 2.5, 0.0), left * np.sin(np.arange(1001.0))
 
     plain, richer = leaving(noise + burst + hum, 1000.0), leaving(noise + 0.6 * burst + hum, 1000.0 - drop)
@@ -134,8 +138,7 @@ def test_what_generalises_is_not_worth_it_where_noise_was_thought_to_be_larger()
 
 def test_what_takes_nearly_all_away_is_not_worth_it_where_that_may_be_chance() -> None:
     rng = np.random.default_rng(0)
-    noise = rng.standard_normal(1001)
-    noise /= np.sqrt(np.mean(noise**2))
+    noise = white(rng)
     few = np.where(np.arange(1001) < 20, 1.2, 0.0)
 
     plain, richer = leaving(noise + few, 20.0), leaving(noise)
