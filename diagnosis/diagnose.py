@@ -23,6 +23,7 @@ from .search.ahead import gone_ahead
 from .search.choice import taken
 from .search.crew import LATE
 from .search.hearing import heard_beside
+from .search.horizon import Foreseen, fitted_to_loudest, foreseen
 from .search.joint_fit import JointFit
 from .search.model_comparison import Refit, gap_taken, unexplained
 from .search.revision import Rivals, plainer, pruned, revised
@@ -92,6 +93,13 @@ def diagnose(
             chosen = None
             if _may_go_on(best, base, study):
                 done = run_round(study, best, rounds, before)
+                short = None if before else _as_foreseen(study, start, done)
+                if short is not None:
+                    study, start, base, tried = short.study, short.start, short.base, Tried(short.study)
+                    notes.append(short.told)
+                    best, rivals, before, rounds = base, Rivals(), rounds, []
+                    done = run_round(study, best, rounds, before)
+                    done.keep(short.model)
                 chosen = taken(done, base) or _chosen_along(study, done, base)
             if chosen is None and not ahead and rounds and not explains(best, base, study):
                 ahead = True
@@ -137,6 +145,22 @@ def diagnose(
         verdict = decided(replace(study, deadline=-inf), start, base, best, rounds, notes, rivals)
         told = "interrupted; what is known so far is the error's `verdict`"
         raise DiagnosisInterruptedError(told, verdict) from None
+
+
+def _as_foreseen(study: Study, start: Refit, done: Round) -> Foreseen | None:
+    """Return what an effect in series comes to in records as far as it foresees them, if it explains them.
+
+    It is asked in a first round that leaves much, and fitted to the loudest record before, which may do.
+    """
+    base = done.base
+    if base.effects or study.late() or explains(taken(done, base) or base, base, study):
+        return None
+    loudest = fitted_to_loudest(study, done)
+    if loudest is None:
+        return None
+    done.keep(loudest)
+    found = None if explains(loudest, base, study) else foreseen(study, start, base, loudest)
+    return found if found is not None and explains(found.model, found.base, found.study) else None
 
 
 def _chosen_along(study: Study, done: Round, base: Refit) -> Refit | None:

@@ -134,7 +134,7 @@ def _inertia(placed: Hypothesis, campaign: Campaign) -> Iterator[_Doubt]:
         return
     unit, machine = INERTIAS[placed.site.mechanics], campaign.machine
     inertias = (v for name, v in machine.parameter_values.items() if machine.unit(name) == unit)
-    largest = max(inertias, default=0.0)
+    largest = max([*inertias, placed.site.inertia])
     for name, value in _sized(placed, unit) if largest > 0 else ():
         told = f"{name} = {value:.3g} {unit} is {value / largest:.3g} times the largest inertia of the model"
         yield _Doubt(value / largest, criteria.ADDED_INERTIA_RATIO, told)

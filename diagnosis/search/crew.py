@@ -98,11 +98,16 @@ def _made(study: Study, fit: Fit) -> Refit | str:
             found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts, fit.known)
     except InertanceError as error:
         return f"its fit ended early: {error.headline}"
-    values = found.effects[-1].values
+    return refused(found.effects[-1], study.campaign) or found
+
+
+def refused(placed: Hypothesis, campaign: Campaign) -> str:
+    """Return why no machine has an effect as it was fitted; nothing if one may."""
+    values = placed.values
     if not placed.effect.credible(values):
         return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
-    odd = implausible(found.effects[-1], study.campaign)
-    return found if odd is None else f"no such machine: {odd}"
+    odd = implausible(placed, campaign)
+    return "" if odd is None else f"no such machine: {odd}"
 
 
 def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:

@@ -36,6 +36,15 @@ class Round:
     failed: dict[str, str] = field(default_factory=dict)
     unscreened: str = ""
 
+    def keep(self, found: Refit) -> None:
+        """Add a fit; of two that end elsewhere from other starts, the better one stays."""
+        label = found.effects[-1].label
+        before = next((n for n, other in enumerate(self.fitted) if other.effects[-1].label == label), None)
+        if before is None:
+            self.fitted.append(found)
+        elif found.cost < self.fitted[before].cost:
+            self.fitted[before] = found
+
 
 def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[Round] = ()) -> Round:
     """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`.
@@ -106,7 +115,7 @@ def _fit(
         if isinstance(found, str):
             failed[candidate.label] = found
         else:
-            _keep(fitted, found)
+            done.keep(found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
         waiting = _promising(waiting, kept, fitted)
         if hides and early is not None and len(tried) - len(under_way) >= criteria.RESERVES_PER_ROUND:
@@ -180,16 +189,6 @@ def _in_one_motion(placed: Hypothesis, other: Hypothesis, first: Round) -> bool:
     less, more = sorted(left.get(p.site.path, inf) for p in (placed, other))
     nearly_all = more < criteria.NEARLY_ALL_LEFT * float(first.base.blocks.sum())
     return nearly_all and more < criteria.ONE_MOTION_RATIO * less
-
-
-def _keep(fitted: list[Refit], found: Refit) -> None:
-    """Add a fit; of two that end elsewhere from other starts, the better one stays."""
-    label = found.effects[-1].label
-    before = next((n for n, other in enumerate(fitted) if other.effects[-1].label == label), None)
-    if before is None:
-        fitted.append(found)
-    elif found.cost < fitted[before].cost:
-        fitted[before] = found
 
 
 def _ran_away(campaign: Campaign, base: Refit) -> bool:

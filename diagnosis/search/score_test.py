@@ -21,6 +21,7 @@ from ...identification import Prior
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Hypothesis, SitedEffect, inserted, rubbed
+from ..effects.plausibility import INERTIAS
 from ..effects.sites import Site, surrounded
 from ..models.probes import scaled
 from ..models.study import Study
@@ -104,7 +105,7 @@ def screen(
     resting = next((n for n, experiment in enumerate(experiments) if experiment.initial == "rest"), None)
     led = resting is None and study.is_led
     moving = zip(sites, motions, strict=True)
-    sites = surrounded([scaled(site, moved, resting, led) for site, moved in moving])
+    sites = surrounded([scaled(site, moved, resting, led) for site, moved in moving], _inertias(study))
     deviations = [study.campaign.priors[name].scale for name in parameters]
     deviations += [FOUND_EFFECT_DEVIATIONS * (abs(value) or 1.0) for value in found.values()]
     slopes = [record.slopes * np.array(deviations) for record in records]
@@ -119,6 +120,17 @@ def screen(
         _add(sums, record, slopes[index], sites, [moved[index] for moved in motions], motions, reach)
     priors = study.campaign.priors if forced else {}
     return sorted(_scored(sums, parameters, priors), key=lambda candidate: -candidate.gain)
+
+
+def _inertias(study: Study) -> dict[str, float]:
+    """Return the inertias of a model's parts, by their paths."""
+    machine = study.campaign.machine
+    inert = {
+        name: value
+        for name, value in machine.parameter_values.items()
+        if machine.unit(name) in INERTIAS.values()
+    }
+    return {study.part(name): value for name, value in inert.items()}
 
 
 def _add(

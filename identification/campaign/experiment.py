@@ -95,18 +95,16 @@ class Experiment:
 
     def part(self, begin: int, end: int, motion: Mapping[str, float]) -> Experiment:
         """Return the part between two of the instants at which outputs are compared, begun in a motion."""
+        return replace(self._between(begin, end), initial="fit", repeat_of=None, motion=motion)
+
+    def until(self, end: int) -> Experiment:
+        """Return the part up to one of the instants at which outputs are compared, begun as the whole."""
+        return self._between(0, end)
+
+    def _between(self, begin: int, end: int) -> Experiment:
         window = float(self.compared.time[begin]), float(self.compared.time[end])
-        record = self.record.window(*window)
         omitted = None if self.omitted is None else self.omitted[begin : end + 1]
-        return replace(
-            self,
-            record=record,
-            initial="fit",
-            window=window,
-            repeat_of=None,
-            omitted=omitted,
-            motion=motion,
-        )
+        return replace(self, record=self.record.window(*window), window=window, omitted=omitted)
 
     def elapsed(self, time: Array) -> Array:
         """Return how long the run it was cut from has lasted at instants of its clock [s]."""

@@ -160,8 +160,19 @@ def test_an_offset_command_is_judged_about_its_middle() -> None:
 
 
 def test_sites_know_the_largest_force_of_their_domain() -> None:
-    found = surrounded([at(force=2.0), at(force=7.0), at(SLIDING, force=0.0)])
+    found = surrounded([at(force=2.0), at(force=7.0), at(SLIDING, force=0.0)], {})
     assert [site.largest for site in found] == [7.0, 7.0, np.inf]
+
+
+def test_an_inertia_behind_a_gear_counts_as_a_site_feels_it() -> None:
+    """A wheel of 0.2 kg.m2 that turns 10 times as fast as a shaft is felt there as 20 kg.m2."""
+    wheel = replace(at(speed=10.0), path="wheel")
+    shaft, resting = surrounded([at(speed=1.0, places="node"), at(speed=0.0), wheel], {"wheel": 0.2})[:2]
+    assert (shaft.inertia, resting.inertia) == (pytest.approx(20.0), 0.0)
+    assert implausible(placed("added_inertia", shaft, {"J": 21.0}), bench()) is None
+    told = implausible(placed("added_inertia", shaft, {"J": 2100.0}), bench())
+    assert told is not None
+    assert "105 times the largest inertia" in told
 
 
 def test_friction_that_only_sticks_is_refused_and_its_value_not_known(carriage: Callable[..., Any]) -> None:

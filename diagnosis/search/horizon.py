@@ -1,0 +1,140 @@
+"""Chaotic motion: records compared as far as a model foresees them, the loudest of them fitted first."""
+
+from __future__ import annotations
+
+from copy import copy
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from ...components import InertanceError
+from ...identification import Experiment
+from .. import criteria
+from ..models.study import FMUStudy, Study
+from .crew import refused
+from .joint_fit import JointFit
+from .model_comparison import Refit
+from .round import Round
+
+
+@dataclass(frozen=True, eq=False)
+class Foreseen:
+    """Models in records that are compared as far as one with an effect foresees them.
+
+    Where free runs part from each other, what a fit sees of a record is as rough as a comb, and what is left
+    of it tells of no cause.
+
+    Attributes:
+        study: with these records.
+        start: the model as it was given.
+        base: the same, its parameters fitted.
+        model: that with the effect.
+        told: which records are compared for how long, and why, in words.
+
+    Source: H. U. Voss, J. Timmer, J. Kurths, Nonlinear dynamical system identification from uncertain and
+    indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933, section 5.
+    """
+
+    study: Study
+    start: Refit
+    base: Refit
+    model: Refit
+    told: str
+
+
+def fitted_to_loudest(study: Study, done: Round) -> Refit | None:
+    """Return the best effect in series of a first round, fitted to the loudest training record alone.
+
+    Beside that motion a play is least, and runs stay together longest. It is held against all records as it
+    is. None for an FMU, if no such effect came near, or if it cannot be run or be a machine's.
+    """
+    chosen = _nearest_in_series(done)
+    if chosen is None or isinstance(study, FMUStudy):
+        return None
+    study.tell(f"fitting {chosen.labels[-1]} to the loudest record alone")
+    screened = next(c for c in done.candidates if c.label == chosen.labels[-1])
+    campaign = copy(study.campaign)
+    loudest = max(campaign.training, key=_loudness)
+    campaign.training = [loudest]
+    alone, fits = replace(study, campaign=campaign), list[Refit]()
+    try:
+        parameters = JointFit(alone, done.base.parameters).fitted().parameters, done.base.parameters
+        for size, given in product(criteria.SERIES_START_SIZES, parameters):
+            values = {name: size * value for name, value in screened.values.items()}
+            placed = replace(chosen.effects[-1], values=values)
+            fits.append(JointFit(alone, given, [placed]).fitted())
+            if fits[-1].cost < criteria.NOISE_MISFIT**2 * loudest.independent or study.late():
+                break
+        best = min(fits, key=lambda model: model.cost)
+        joint = JointFit(study, best.parameters, best.effects, chosen)
+        found = joint.seen(joint.start)
+    except InertanceError:
+        return None
+    return None if refused(found.effects[-1], study.campaign) else found
+
+
+def foreseen(study: Study, start: Refit, base: Refit, model: Refit) -> Foreseen | None:
+    """Return models in records that are compared as far as one foresees them.
+
+    None if it foresees all of them, or one cannot be run.
+    """
+    try:
+        short = _within_horizon(study, model)
+        if short is study:
+            return None
+        refit = JointFit(short, base.parameters, near=base)
+        given = refit.seen(refit.vector(start.parameters, []))
+        found = JointFit(short, model.parameters, model.effects, model).fitted()
+        return Foreseen(short, given, refit.fitted(), found, _told(study, short, model))
+    except InertanceError:
+        return None
+
+
+def _nearest_in_series(done: Round) -> Refit | None:
+    """Return the model with an effect in series nearest to the training records, if any comes near."""
+    in_series = (model for model in done.fitted if model.effects[-1].effect.place == "series")
+    found = min(in_series, key=lambda model: model.cost, default=None)
+    most = max((done.base.cost - model.cost for model in done.fitted), default=0.0)
+    near = found is not None and done.base.cost - found.cost > criteria.RIVAL_DROP_RATIO * most
+    return found if near else None
+
+
+def _loudness(experiment: Experiment) -> float:
+    """Return how far the outputs of a record move [noise]."""
+    return max(float(np.std(experiment.passed(name))) / sigma for name, sigma in experiment.sigma.items())
+
+
+def _within_horizon(study: Study, model: Refit) -> Study:
+    """Return the study with records as far as a model foresees them; itself if that is to their ends."""
+    joint, campaign = JointFit(study, model.parameters, model.effects, model), copy(study.campaign)
+    campaign.training = [_seen_within(joint, experiment) for experiment in campaign.training]
+    campaign.testing = [_seen_within(joint, experiment) for experiment in campaign.testing]
+    cut = any(a is not b for a, b in zip(campaign.experiments, study.campaign.experiments, strict=True))
+    return replace(study, campaign=campaign) if cut else study
+
+
+def _seen_within(joint: JointFit, experiment: Experiment) -> Experiment:
+    """Return a record as far as a model foresees it; itself if that is to its end.
+
+    That is for half of the time in which an error of the parameters, far below what is known of them, grows
+    to the range of an output: then it is the square root of that.
+    """
+    run, away = joint.run_on(experiment), np.zeros(len(experiment.compared.time), dtype=bool)
+    for name, seen in run.seen.items():
+        with np.errstate(over="ignore", invalid="ignore"):
+            moved = np.abs(run.slopes(name)[:, : len(joint.names)] * joint.scale).max(axis=1, initial=0.0)
+        away |= criteria.HORIZON_STEP * moved > np.ptp(seen) + experiment.sigma[name]
+    if not away.any():
+        return experiment
+    return experiment.until(max(int(away.argmax()) // 2, criteria.HORIZON_SAMPLES))
+
+
+def _told(study: Study, short: Study, model: Refit) -> str:
+    """Say which records are compared for how long, and why."""
+    pairs = zip(study.campaign.experiments, short.campaign.experiments, strict=True)
+    cut = [f"{whole.name} {np.ptp(part.compared.time):.3g} s" for whole, part in pairs if part is not whole]
+    return (
+        f"records are compared as far as {model.labels[-1]} lets runs foresee them: {', '.join(cut)}; what "
+        "follows hangs on less than a thousandth of what is known of the parameters"
+    )
