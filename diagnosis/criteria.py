@@ -147,7 +147,8 @@ STOP_DEFLECTION_RATIO = 1e-3  # [travel] deflection of a stop under the largest 
 OIL_DAMPER_SHARE = 1e-4  # [damping of a spring in play] of the oil beside it; data
 OIL_FORCE_RATIO = 1e-4  # [largest force] of the oil in a clearance at the usual speed; data
 PLAY_FORCE_RATIO = 0.02  # [largest force] at which play is taken up; data
-SETTLING_SECONDS = 1e-4  # [s] in which a compliance settles; data: far below 1/COMPARISON_RATE_HZ
+SETTLING_SECONDS = 1e-5  # [s] in which a compliance settles; data: 1e-4 still shows beside noise of 1 %
+BALLAST_SECONDS = 1e-4  # [s] in which a ballast does beside a gap; data: far below 1/COMPARISON_RATE_HZ
 LEAST_COMPLIANCE = 1e-15  # [m/N or rad/(N.m)] of an effect; data
 
 # Values that no machine has: refused beyond the first, doubtful beyond the second

@@ -41,7 +41,7 @@ def _play(site: Site, name: str, values: Values) -> list[Edit]:
     if site.spring:
         return [Exchange(site.path, _flanks(site, values))]
     stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
-    calming = criteria.SETTLING_SECONDS * stiffness if site.sticks else 0.0
+    calming = criteria.BALLAST_SECONDS * stiffness if site.sticks else 0.0
     kind, _, _ = CLEARANCES[site.domain]
     gap = kind(**{site.mechanics.stiffness: stiffness}, d=calming, **_width(site, values))
     both_ways = parallel(gap=gap, oil=site.family.Damper(d=oil))
@@ -70,7 +70,7 @@ def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
     """Return what gives dry friction an inertia of its own, so small that it settles in next to no time."""
     if not site.sticks:
         return []
-    return _body(site, f"{name}_ballast", f"{name}.flange_a", stiffness * criteria.SETTLING_SECONDS**2)
+    return _body(site, f"{name}_ballast", f"{name}.flange_a", stiffness * criteria.BALLAST_SECONDS**2)
 
 
 def _body(site: Site, name: str, port: str, inertia: float) -> list[Edit]:

@@ -60,7 +60,7 @@ class Site:
         force: largest force through the site in it.
         passes: how often the motion that returns most passes a place of its range: once, if it never turns.
         largest: largest force through any site of its domain in it.
-        inertia: largest inertia of the machine as this site feels it: with as much energy at its speed.
+        inertia: largest inertia of another domain as this site feels it: with as much energy at its speed.
         instant: whether only forces that depend on the present motion can act here.
         grounded: whether one of its flanges is held by the ground.
         spring: what it is made with, by name, if it is a linear spring, with or without a damper.
@@ -154,17 +154,19 @@ def _neighbours(ends: frozenset[object], sites: Sequence[tuple[frozenset[object]
 
 
 def surrounded(sites: Sequence[Site], inertias: Mapping[str, float]) -> list[Site]:
-    """Return sites that know the largest force through any site of their domain, and the largest inertia.
+    """Return sites that know the largest force through any of their domain, and the inertia behind a screw.
 
-    The inertias of parts are told by their paths; one behind a screw or a gear is felt as it turns or slides.
+    The inertias of parts are told by their paths.
     """
     forces = {site.domain: max(s.force for s in sites if s.domain == site.domain) for site in sites}
-    parts = ((path, site.speed) for site in sites for path in (site.path, *site.same))
-    most = max((inertias[path] * speed**2 for path, speed in parts if path in inertias), default=0.0)
-    return [
-        replace(site, largest=forces[site.domain] or inf, inertia=most / site.speed**2 if site.speed else 0.0)
-        for site in sites
-    ]
+    parts = ((site, path) for site in sites for path in (site.path, *site.same) if path in inertias)
+    energies = [(site.domain, inertias[path] * site.speed**2) for site, path in parts]
+    found = []
+    for site in sites:
+        most = max((energy for domain, energy in energies if domain != site.domain), default=0.0)
+        felt = most / site.speed**2 if site.speed else 0.0
+        found.append(replace(site, largest=forces[site.domain] or inf, inertia=felt))
+    return found
 
 
 def _merged(group: list[Site]) -> Iterator[Site]:

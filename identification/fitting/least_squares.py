@@ -121,8 +121,8 @@ def descent(
 
 
 def _sloped(residuals: Residuals, x: Array) -> tuple[Array, Array]:
-    rest, slopes = residuals(x, True)
-    with np.errstate(over="ignore", invalid="ignore"):
+    with np.errstate(over="ignore", invalid="ignore"):  # slopes of a chaotic run grow beyond all numbers
+        rest, slopes = residuals(x, True)
         sound = slopes is not None and np.isfinite(rest @ rest) and np.isfinite(np.square(slopes).sum())
     if slopes is None or not sound:
         raise SimulationError("the slopes of a run are not finite")

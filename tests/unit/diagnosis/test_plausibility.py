@@ -164,13 +164,15 @@ def test_sites_know_the_largest_force_of_their_domain() -> None:
     assert [site.largest for site in found] == [7.0, 7.0, np.inf]
 
 
-def test_an_inertia_behind_a_gear_counts_as_a_site_feels_it() -> None:
-    """A wheel of 0.2 kg.m2 that turns 10 times as fast as a shaft is felt there as 20 kg.m2."""
-    wheel = replace(at(speed=10.0), path="wheel")
-    shaft, resting = surrounded([at(speed=1.0, places="node"), at(speed=0.0), wheel], {"wheel": 0.2})[:2]
-    assert (shaft.inertia, resting.inertia) == (pytest.approx(20.0), 0.0)
-    assert implausible(placed("added_inertia", shaft, {"J": 21.0}), bench()) is None
-    told = implausible(placed("added_inertia", shaft, {"J": 2100.0}), bench())
+def test_an_inertia_behind_a_screw_counts_as_a_site_feels_it() -> None:
+    """A wheel of 0.2 kg.m2 that turns by 10 rad/s where a nut moves by 1 m/s is felt there as 20 kg."""
+    sites = [at(SLIDING, "node", speed=1.0), at(SLIDING, speed=0.0), at(speed=1.0), at(speed=10.0)]
+    sites[3] = replace(sites[3], path="wheel")
+    nut, resting, shaft, _ = surrounded(sites, {"wheel": 0.2})
+    assert nut.inertia == pytest.approx(20.0)
+    assert resting.inertia == shaft.inertia == 0.0
+    assert implausible(placed("added_inertia", nut, {"m": 21.0}), bench()) is None
+    told = implausible(placed("added_inertia", nut, {"m": 2100.0}), bench())
     assert told is not None
     assert "105 times the largest inertia" in told
 

@@ -49,6 +49,16 @@ def test_slopes_that_are_lost_end_the_descent_where_it_is() -> None:
         descend(residual, np.array([0.9]), free)
 
 
+def test_slopes_that_grow_beyond_all_numbers_are_lost_without_a_word() -> None:
+    """Those of a chaotic run do; a warning of NumPy tells nobody what to do."""
+
+    def residual(vector: Array, slopes: bool) -> tuple[Array, Array]:
+        return np.ones(2), np.outer(1e300 * np.exp(vector), [1e10, 1.0])
+
+    with pytest.raises(SimulationError, match="not finite"):
+        descend(residual, np.zeros(2), (np.full(2, -np.inf), np.full(2, np.inf)))
+
+
 @pytest.mark.parametrize("learnt", [True, False])
 def test_a_long_bent_valley_is_followed_to_its_end(learnt: bool) -> None:
     def residual(vector: Array, slopes: bool) -> tuple[Array, Array]:
