@@ -72,7 +72,6 @@ FAR_COST_RATIO = 2.0  # [1] of the best known cost, above which a model's starts
 START_WON_SHARE = 0.1  # [1] of the drop that is asked for, which a step of it wins, or it is the last; effort
 OPENING_SHARE, OPENING_SAMPLES = 0.1, 50  # [record], [1] at least: what tells first where it begins; blind
 HORIZON_STEP = 1e-3  # [scale of the prior] of parameters that moves no output by all its range in time; data
-HORIZON_SAMPLES = 32  # [1] of a record that are compared at least; data
 START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 
 # Shapes that are screened, and how they follow in a fit

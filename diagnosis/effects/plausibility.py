@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...components import Domain
-from ...identification import Campaign, likely_unit
+from ...identification import Campaign, Machine, likely_unit
 from .. import criteria
 from .hypothesis import Hypothesis
 
@@ -25,6 +25,11 @@ class _Doubt(NamedTuple):
     amount: float
     limits: tuple[float, float]
     told: str
+
+
+def inertias(machine: Machine, unit: str) -> dict[str, float]:
+    """Return the inertias of a machine that are in a unit, by the parameters that tell them."""
+    return {name: value for name, value in machine.parameter_values.items() if machine.unit(name) == unit}
 
 
 def implausible(placed: Hypothesis, campaign: Campaign) -> str | None:
@@ -132,9 +137,8 @@ def _late(placed: Hypothesis, campaign: Campaign) -> Iterator[_Doubt]:
 def _inertia(placed: Hypothesis, campaign: Campaign) -> Iterator[_Doubt]:
     if placed.effect.place != "node":
         return
-    unit, machine = INERTIAS[placed.site.mechanics], campaign.machine
-    inertias = (v for name, v in machine.parameter_values.items() if machine.unit(name) == unit)
-    largest = max([*inertias, placed.site.inertia])
+    unit = INERTIAS[placed.site.mechanics]
+    largest = max([*inertias(campaign.machine, unit).values(), placed.site.inertia])
     for name, value in _sized(placed, unit) if largest > 0 else ():
         told = f"{name} = {value:.3g} {unit} is {value / largest:.3g} times the largest inertia of the model"
         yield _Doubt(value / largest, criteria.ADDED_INERTIA_RATIO, told)

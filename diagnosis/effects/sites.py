@@ -153,14 +153,14 @@ def _neighbours(ends: frozenset[object], sites: Sequence[tuple[frozenset[object]
             yield site.path
 
 
-def surrounded(sites: Sequence[Site], inertias: Mapping[str, float]) -> list[Site]:
+def surrounded(sites: Sequence[Site], inertias: Mapping[tuple[str, str], float]) -> list[Site]:
     """Return sites that know the largest force through any of their domain, and the inertia behind a screw.
 
-    The inertias of parts are told by their paths.
+    The inertias of parts are told by their paths and domains: a turning part may have a mass, too.
     """
     forces = {site.domain: max(s.force for s in sites if s.domain == site.domain) for site in sites}
-    parts = ((site, path) for site in sites for path in (site.path, *site.same) if path in inertias)
-    energies = [(site.domain, inertias[path] * site.speed**2) for site, path in parts]
+    parts = ((site, (path, site.domain)) for site in sites for path in (site.path, *site.same))
+    energies = [(site.domain, inertias[part] * site.speed**2) for site, part in parts if part in inertias]
     found = []
     for site in sites:
         most = max((energy for domain, energy in energies if domain != site.domain), default=0.0)

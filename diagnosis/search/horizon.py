@@ -33,7 +33,7 @@ class Foreseen:
         told: which records are compared for how long, and why, in words.
 
     Source: H. U. Voss, J. Timmer, J. Kurths, Nonlinear dynamical system identification from uncertain and
-    indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933, section 5.
+    indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933.
     """
 
     study: Study
@@ -127,7 +127,7 @@ def _seen_within(joint: JointFit, experiment: Experiment) -> Experiment:
         away |= criteria.HORIZON_STEP * moved > np.ptp(seen) + experiment.sigma[name]
     if not away.any():
         return experiment
-    return experiment.until(max(int(away.argmax()) // 2, criteria.HORIZON_SAMPLES))
+    return experiment.until(max(int(away.argmax()) // 2, criteria.PIECE_SAMPLES))
 
 
 def _told(study: Study, short: Study, model: Refit) -> str:

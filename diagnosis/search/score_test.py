@@ -21,7 +21,7 @@ from ...identification import Prior
 from ..criteria import CHANNEL_PROBE_SHARE, DEPENDENT_EIGENVALUE_RATIO, FOUND_EFFECT_DEVIATIONS
 from ..effects.effect import EFFECTS, Effect, Motion
 from ..effects.hypothesis import Hypothesis, SitedEffect, inserted, rubbed
-from ..effects.plausibility import INERTIAS
+from ..effects.plausibility import INERTIAS, inertias
 from ..effects.sites import Site, surrounded
 from ..models.probes import scaled
 from ..models.study import Study
@@ -122,15 +122,14 @@ def screen(
     return sorted(_scored(sums, parameters, priors), key=lambda candidate: -candidate.gain)
 
 
-def _inertias(study: Study) -> dict[str, float]:
-    """Return the inertias of a model's parts, by their paths."""
-    machine = study.campaign.machine
-    inert = {
-        name: value
-        for name, value in machine.parameter_values.items()
-        if machine.unit(name) in INERTIAS.values()
-    }
-    return {study.part(name): value for name, value in inert.items()}
+def _inertias(study: Study) -> dict[tuple[str, str], float]:
+    """Return the largest inertia of each part of a model, by its path and the domain of its motion."""
+    found: dict[tuple[str, str], float] = {}
+    for domain, unit in INERTIAS.items():
+        for name, value in inertias(study.campaign.machine, unit).items():
+            key = study.part(name), domain
+            found[key] = max(value, found.get(key, 0.0))
+    return found
 
 
 def _add(

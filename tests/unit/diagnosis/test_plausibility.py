@@ -168,7 +168,7 @@ def test_an_inertia_behind_a_screw_counts_as_a_site_feels_it() -> None:
     """A wheel of 0.2 kg.m2 that turns by 10 rad/s where a nut moves by 1 m/s is felt there as 20 kg."""
     sites = [at(SLIDING, "node", speed=1.0), at(SLIDING, speed=0.0), at(speed=1.0), at(speed=10.0)]
     sites[3] = replace(sites[3], path="wheel")
-    nut, resting, shaft, _ = surrounded(sites, {"wheel": 0.2})
+    nut, resting, shaft, _ = surrounded(sites, {("wheel", TURNING): 0.2, ("wheel", SLIDING): 90.0})
     assert nut.inertia == pytest.approx(20.0)
     assert resting.inertia == shaft.inertia == 0.0
     assert implausible(placed("added_inertia", nut, {"m": 21.0}), bench()) is None
