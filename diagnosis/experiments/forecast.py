@@ -64,8 +64,7 @@ class Forecast:
     def watching(self, campaign: Campaign) -> Forecast:
         """Return it for a campaign with further outputs, of which it knows no more than before."""
         other = copy(self)
-        empty = copy(campaign)
-        empty.training, empty.testing = [], []
+        empty = campaign.with_records([], [])
         model = replace(self.model, starts=())
         other.joint = JointFit(replace(self.study, campaign=empty), model.parameters, model.effects, model)
         return other

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from copy import copy
 from dataclasses import replace
 from itertools import combinations
 
@@ -38,11 +37,11 @@ def refitted(study: Study, models: Sequence[Forecast], made: Planned, odds: Sequ
 
 def _distance(study: Study, rival: Forecast, made: Planned, truth: Seen) -> float:
     """Return how far a rival stays, in standard deviations of the noise, from what another model shows."""
-    campaign, record, count = copy(study.campaign), made.experiment.record, len(study.campaign.training)
+    record, count = made.experiment.record, len(study.campaign.training)
     compared = made.experiment.compared.time
     shown = {name: np.interp(record.time, compared, v) for name, v in truth.run.seen.items()}
     experiment = replace(made.experiment, record=replace(record, values={**record.values, **shown}))
-    campaign.training, campaign.testing = [*campaign.training, experiment], []
+    campaign = study.campaign.with_records([*study.campaign.training, experiment], [])
     model = rival.model
     near = replace(model, starts=[*model.starts[:count], {}])
     try:

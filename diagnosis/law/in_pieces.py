@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
@@ -145,8 +144,8 @@ class InPieces:
         """The test records along the motion that the missing force makes at the same site."""
         if not self.study.campaign.testing:
             return []
-        campaign, count = copy(self.study.campaign), len(self.study.campaign.training)
-        campaign.training, campaign.testing = self.study.campaign.testing, []
+        campaign = self.study.campaign.with_records(self.study.campaign.testing, [])
+        count = len(self.study.campaign.training)
         near = replace(self.model, starts=self.model.starts[count:])
         number, rough = self.missing.settled.number, self.missing.settled.rough
         return Search(replace(self.study, campaign=campaign), near).settled(number, rough).runs
@@ -159,9 +158,8 @@ def _rounds(study: Study, law: Law, missing: MissingForce) -> Iterator[tuple[Law
     """
     if not law.is_foreseen:
         return
-    training = copy(study.campaign)
-    training.testing = []
-    alone, runs, left = replace(study, campaign=training), missing.settled.runs, inf
+    alone = replace(study, campaign=study.campaign.with_records(testing=[]))
+    runs, left = missing.settled.runs, inf
     for _ in range(PIECE_ROUNDS):
         if study.late():
             break

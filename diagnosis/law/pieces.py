@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from copy import copy
 from dataclasses import dataclass, replace
 from math import ceil
 
@@ -110,16 +109,12 @@ def cut(study: Study, follower: Follower, runs: Sequence[Beside]) -> Study:
     Raises:
         SimulationError: if the model follows the machine nowhere.
     """
-    campaign = copy(study.campaign)
-    count = len(campaign.training)
-    there = campaign.training, campaign.testing
-    campaign.training, campaign.testing = (
-        [piece for run in some for piece in _few(follower, run)] for some in (runs[:count], runs[count:])
-    )
-    if any(
-        whole and not parts for whole, parts in zip(there, (campaign.training, campaign.testing), strict=True)
-    ):
+    there = study.campaign.training, study.campaign.testing
+    along = runs[: len(there[0])], runs[len(there[0]) :]
+    cut_up = [[piece for run in some for piece in _few(follower, run)] for some in along]
+    if any(whole and not parts for whole, parts in zip(there, cut_up, strict=True)):
         raise SimulationError("no run follows the machine for long")
+    campaign = study.campaign.with_records(*cut_up)
     longest = max(float(np.ptp(piece.record.time)) for piece in campaign.experiments)
     return replace(study, campaign=campaign, pieces=longest)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from copy import copy
 from dataclasses import replace
 
 import numpy as np
@@ -22,13 +21,12 @@ def moving(campaign: Campaign) -> Campaign:
     still = [standing([e.compared.values[name] for name in campaign.inputs], e.rate) for e in records]
     if not any(found.any() for found in still) or campaign.network.dae().state_names:
         return campaign
-    rid, count, end = copy(campaign), len(campaign.training), len(campaign.experiments)
+    count, end = len(campaign.training), len(campaign.experiments)
     left = [
         experiment if found.all() else replace(experiment, omitted=_either(experiment.omitted, found))
         for experiment, found in zip(records, still, strict=True)
     ]
-    rid.training, rid.testing, rid.changed = left[:count], left[count:end], left[end:]
-    return rid
+    return campaign.with_records(left[:count], left[count:end], left[end:])
 
 
 def _either(omitted: Flags | None, found: Flags) -> Flags:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil, inf
@@ -226,13 +225,13 @@ def thinned(campaign: Campaign, rate: float = COMPARISON_RATE_HZ) -> Campaign:
     for what nobody recorded.
     """
     smooth = [name for name in campaign.inputs if not campaign.measured[name].held]
-    thin = _each(campaign, lambda experiment: _slowed(experiment, smooth, rate))
+    thin = campaign.with_each(lambda experiment: _slowed(experiment, smooth, rate))
     return thin if isinstance(thin.machine, FMUModel) else moving(thin)
 
 
 def begun_anywhere(campaign: Campaign) -> Campaign:
     """Return a campaign in which the states where records begin are estimated."""
-    return _each(campaign, lambda e: e if e.initial == "fit" else replace(e, initial="fit"))
+    return campaign.with_each(lambda e: e if e.initial == "fit" else replace(e, initial="fit"))
 
 
 def begun_with(campaign: Campaign, begins: Mapping[str, Prior]) -> Campaign:
@@ -243,17 +242,7 @@ def begun_with(campaign: Campaign, begins: Mapping[str, Prior]) -> Campaign:
             return experiment
         return replace(experiment, unknown={**experiment.unknown, **begins})
 
-    return _each(campaign, changed)
-
-
-def _each(campaign: Campaign, changed: Callable[[Experiment], Experiment]) -> Campaign:
-    """Return a campaign with each of its records changed."""
-    other = copy(campaign)
-    other.training, other.testing, other.changed = (
-        [changed(experiment) for experiment in experiments]
-        for experiments in (campaign.training, campaign.testing, campaign.changed)
-    )
-    return other
+    return campaign.with_each(changed)
 
 
 def _slowed(experiment: Experiment, driven: Sequence[str], rate: float) -> Experiment:

@@ -14,7 +14,7 @@ from ...identification import Accuracy, Campaign
 from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..effects.plausibility import implausible
-from ..models.study import Study, study_of, thinned
+from ..models.study import Study, study_of
 from .joint_fit import FitStart, JointFit
 from .model_comparison import Refit
 from .score_test import Candidate
@@ -76,15 +76,18 @@ def _job(
 
 
 def _sent(campaign: Campaign) -> bytes:
-    """Return a campaign for other processes, with the noise that was found here."""
-    return pickle.dumps((campaign.pickled(), [experiment.floors for experiment in campaign.experiments]))
+    """Return a campaign for other processes, with its records as they are compared here, and their noise."""
+    records = campaign.training, campaign.testing
+    return pickle.dumps((campaign.pickled(), campaign.measured, campaign.floors, records))
 
 
 @lru_cache(maxsize=1)
 def _received(payload: bytes) -> Campaign:
-    """Return a campaign in the process that it was sent to, with what is compared there again."""
-    campaign, floors = pickle.loads(payload)
-    return thinned(pickle.loads(campaign).with_floors(floors))
+    """Return a campaign in the process that it was sent to, as it was sent."""
+    read, measured, floors, records = pickle.loads(payload)
+    campaign: Campaign = pickle.loads(read).with_records(*records)
+    campaign.measured, campaign.floors = measured, floors
+    return campaign
 
 
 def _made(study: Study, fit: Fit) -> Refit | str:
@@ -111,17 +114,18 @@ def refused(placed: Hypothesis, campaign: Campaign) -> str:
 
 
 def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
-    """Return parameters and values to fit a candidate from: as screened, or as its special case."""
+    """Return parameters and values to fit a candidate from: as screened, or as its best special case."""
     effect, site = candidate.effect, candidate.site
-    if effect.place == "series" and not candidate.sized:
-        return [
-            (candidate.parameters, {k: size * v for k, v in candidate.values.items()})
-            for size in criteria.SERIES_START_SIZES
-        ]
-    starts: list[FitStart] = [(candidate.parameters, candidate.values)]
-    for plain in fitted:
+    unsure = effect.place == "series" and not candidate.sized
+    sizes = criteria.SERIES_START_SIZES if unsure else (1.0,)
+    starts: list[FitStart] = [
+        (candidate.parameters, {name: size * value for name, value in candidate.values.items()})
+        for size in sizes
+    ]
+    special = [model for model in fitted if candidate.generalises(model.effects[-1])]
+    if special:
+        plain = min(special, key=lambda model: model.cost)
         last = plain.effects[-1]
-        if effect.plain and candidate.generalises(last):
-            widened = effect.widened(site.domain, site, last.effect, last.values)
-            starts += [(plain.parameters, values) for values in widened]
+        widened = effect.widened(site.domain, site, last.effect, last.values)
+        starts += [(plain.parameters, values) for values in widened]
     return starts

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from copy import copy
 from dataclasses import replace
 
 from ...components import InertanceError
@@ -26,9 +25,8 @@ def alike_by_all(study: Study, best: Refit, others: Sequence[Refit]) -> Iterator
     near = sorted(near, key=lambda f: away[id(f)])[:NEARLY_ALIKE_MODELS]
     if not near or not study.campaign.testing or study.late():
         return
-    whole = copy(study.campaign)
-    whole.training, whole.testing = [*whole.training, *whole.testing], []
-    study = replace(study, campaign=whole)
+    campaign = study.campaign
+    study = replace(study, campaign=campaign.with_records(campaign.experiments, []))
     allowed = ALIKE_CHI_SQUARED * max(1.0, best.misfit**2)
     least = _cost(study, best)
     for other in near:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from copy import copy
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -34,8 +33,7 @@ def separating(study: Study, one: Refit, other: Refit) -> str | None:
 
     None if no sine parts them by more than twice the noise, or if one of them cannot be run.
     """
-    campaign, empty = study.campaign, copy(study.campaign)
-    empty.training, empty.testing = [], []
+    campaign, empty = study.campaign, study.campaign.with_records([], [])
     try:
         joints = [JointFit(replace(study, campaign=empty), f.parameters, f.effects) for f in (one, other)]
         apart = [(_apart(campaign, joints, sine), sine) for sine in _trials(campaign)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
@@ -265,6 +265,23 @@ class Campaign:
         other = copy(self)
         other._weigh(floors)
         return other
+
+    def with_records(
+        self,
+        training: Sequence[Experiment] | None = None,
+        testing: Sequence[Experiment] | None = None,
+        changed: Sequence[Experiment] | None = None,
+    ) -> Campaign:
+        """Return the campaign with other records; with its own where none are given."""
+        own = {"training": training, "testing": testing, "changed": changed}
+        other = copy(self)
+        vars(other).update({name: [*records] for name, records in own.items() if records is not None})
+        return other
+
+    def with_each(self, changed: Callable[[Experiment], Experiment]) -> Campaign:
+        """Return the campaign with each of its records changed."""
+        own = self.training, self.testing, self.changed
+        return self.with_records(*([changed(experiment) for experiment in records] for records in own))
 
     def _weigh(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> None:
         count, before = len(self.training), getattr(self, "floors", {})
