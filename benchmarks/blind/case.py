@@ -133,11 +133,16 @@ def _campaign(rig: Rig, names: list[str], stated: dict[str, float]) -> str:
 def kinds(effect: Effect, rig: Rig) -> list[str]:
     """Return by which kinds an effect is named rightly: those that are the same force.
 
-    Bristles creep before they slip. Hysteresis is of cells here, as Iwan's is. Where friction is fitted, what
-    parts one way from the other is constant.
+    Bristles creep before they slip, and are LuGre's where friction falls with speed. Hysteresis is of cells
+    here, as Iwan's is. Play between parts that are rigid in the model has flanks that are not. Where friction
+    is fitted, what parts one way from the other is constant.
     """
     if effect.kind == "coulomb_friction" and effect.shape["bristles"]:
         return [effect.kind, "presliding_friction"]
+    if effect.kind == "stribeck_friction" and effect.shape["bristles"]:
+        return [effect.kind, "lugre_friction"]
+    if (effect.kind, effect.place) == ("backlash", "drive_line"):
+        return [effect.kind, "elastic_backlash"]
     if effect.kind == "hysteresis":
         return [effect.kind, "iwan_hysteresis"]
     fitted = any(f"{site}.tau_s" in rig.parameters for site in effect.sites)

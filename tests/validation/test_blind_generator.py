@@ -104,6 +104,16 @@ def test_a_size_is_found_for_a_gap_that_parameters_leave(blind: Any) -> None:
     assert scale.gap([(cubic, size)])[0] == pytest.approx(3.0, rel=0.1)
 
 
+def test_a_gain_that_is_a_scaled_machine_has_no_size(blind: Any) -> None:
+    """Of the only output it is what all parameters do, each a little: no size makes it a gap."""
+    gain = blind.effects.Effect("sensor_gain", "F", ("F",), {"sign": -1.0})
+    rig = blind.rigs.RIGS["pfi"]
+    scale = sized(blind, rig)
+    for size in (0.03, 0.3):
+        assert scale.refitted(gain, size) < 0.1 * scale.gap([(gain, size)])[1]
+    assert scale.size(gain, 10.0) is None
+
+
 def test_the_first_24_cases_are_balanced(blind: Any) -> None:
     drafts = blind.plan.drafts(240, seed=1)
     assert drafts[:24] == blind.plan.drafts(24, seed=1)

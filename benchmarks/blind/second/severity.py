@@ -16,8 +16,6 @@ from severity import COARSE, Scale
 from stepper import Array, Drive
 
 EVERY = 80  # coarse steps, so that a gap is measured at 125 Hz
-REFITS = 4  # steps of parameters, whose answer bends
-HELD = 0.3  # of a gap by slopes, that those must leave
 LARGEST = {"sensor_gain": 0.4, "sensor_delay": 0.04, "actuator_delay": 0.04, "actuator_lag": 0.1}  # 1, s
 
 
@@ -49,26 +47,7 @@ class Bench(Scale):
         """Return the size that makes a gap of `severity`, None if none does, or if it were too large."""
         size = super().size(effect, severity)
         largest = MASSES.get(effect.place) if effect.kind == "added_inertia" else LARGEST.get(effect.kind)
-        if size is None or size > (largest or np.inf):
-            return None
-        return size if self.refitted(effect, size) > HELD * severity else None
-
-    def refitted(self, effect: Effect, size: float) -> float:
-        """Return the rms of the change by an effect over noise that parameters and zeros leave, step by step.
-
-        Slopes alone take what bends for a gap: a gain of a sensor is no other than all of a machine scaled.
-        """
-        changed = self._scaled(self._seen(self.values, [(effect, size)]))
-        count, moved, least = len(self.values), np.zeros(self._slopes.shape[1]), np.inf
-        for _ in range(REFITS):
-            factors = zip(self.values.items(), moved, strict=False)
-            values = {name: float(value * (1 + far)) for (name, value), far in factors}
-            left = changed - self._scaled(self._seen(values, [])) - self._slopes[:, count:] @ moved[count:]
-            if not np.isfinite(left).all():
-                break
-            least = min(least, float(np.sqrt(np.mean(left**2))))
-            moved = moved + np.linalg.solve(self._normal, self._slopes.T @ left - self._known * moved)
-        return least
+        return None if size is None or size > (largest or np.inf) else size
 
     def _guess(self, effect: Effect) -> float:
         return guess(effect, self.rig, self.drives[0], COARSE * STEP)
@@ -94,7 +73,5 @@ class Bench(Scale):
                 column = np.zeros((len(self.drives), count, len(self.rig.outputs)))
                 column[record, :, output] = 1.0
                 columns.append(column.ravel())
-        self._known = np.array([*1 / self.rel**2, *[0.0] * len(columns)])
-        self._slopes = np.column_stack([self._slopes, *columns])
-        self._normal = self._slopes.T @ self._slopes + np.diag(self._known)
-        return np.asarray(np.linalg.solve(self._normal, self._slopes.T))
+        known = np.array([*1 / self.rel**2, *[0.0] * len(columns)])
+        return self._mapped(np.column_stack([self._slopes, *columns]), known)
