@@ -131,6 +131,7 @@ FMU_STEPS_PER_SAMPLE = 2, 8  # [1] fewest and most communication steps between c
 FMU_STEP_ERROR_OVER_NOISE = 0.1  # [noise] by which half the communication step may change a run; data
 FMU_RELATIVE_TOLERANCE = 1e-6  # [1] of runs of an FMU; data
 COMPARISON_RATE_HZ = 250.0  # [Hz] at which outputs are compared; data: machines move below a tenth of it
+LOW_PASS_RATE_SHARE = 0.25  # [compared rate] cut-off of a low pass before what rings; data: 6 % pass at half
 FAST_NOISE_RATIO = 1.5  # [noise floor] of what is fast in an input, above which it is signal; data
 NOISE_PEAK_STANDARD_DEVIATIONS = 6.0  # [sd] that noise does not exceed, as steps do; theory: 2e-9 of it
 STANDSTILL_RANGE_SHARE = 3e-4  # [range of an input] within which it stands still; data: steps of 12 bits
@@ -143,11 +144,14 @@ REVERSAL_SPEED_RATIO = 0.01  # [rms speed] within which friction that cannot sti
 STICKING_SPEED_RATIO = 0.001  # [rms speed] within which friction at a port is smooth; data
 FLANKS_DAMPER_SHARE = 0.02  # [force of a spring] of its damper, from which on it relaxes in play; data
 STOP_DEFLECTION_RATIO = 1e-3  # [travel] deflection of a stop under the largest force of its site; data
+LEAST_FLANK_RATIO = 0.01  # [compliance of a stop] of flanks that yield; effort
 OIL_DAMPER_SHARE = 1e-4  # [damping of a spring in play] of the oil beside it; data
 OIL_FORCE_RATIO = 1e-4  # [largest force] of the oil in a clearance at the usual speed; data
 PLAY_FORCE_RATIO = 0.02  # [largest force] at which play is taken up; data
 SETTLING_SECONDS = 1e-5  # [s] in which a compliance settles; data: 1e-4 still shows beside noise of 1 %
+IMPACT_SECONDS = 3e-4  # [s] in which rigid parts that meet settle; data: far below 1/COMPARISON_RATE_HZ
 BALLAST_SECONDS = 1e-4  # [s] in which a ballast does beside a gap; data: far below 1/COMPARISON_RATE_HZ
+LEAST_FRICTION = 1e-12  # [N or N.m] of an effect that has bristles; data
 LEAST_COMPLIANCE = 1e-15  # [m/N or rad/(N.m)] of an effect; data
 
 # Values that no machine has: refused beyond the first, doubtful beyond the second
@@ -160,6 +164,7 @@ SENSOR_GAIN_RATIO = 100.0, 2.0  # [1] most of a gain, or of 1 over it, that is n
 DELAY_RECORD_SHARE = 0.1, 0.03  # [longest record] of delays and lags; data
 ADDED_INERTIA_RATIO = 100.0, 3.0  # [largest inertia of the model] that may be added; data
 BLOCKED_COMMAND_SHARE = 1.0, 0.5  # [largest command] that an actuator may hold back; theory: all of it
+YIELDING_OVER_PLAY = 1e3, 1e3  # [play] by which flanks yield under the largest force; data
 KNOWN_STANDARD_DEVIATIONS = 3.0  # [sd] in a value that is known; theory: 0.3 % are 0
 
 # Cautions

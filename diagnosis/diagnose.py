@@ -23,11 +23,13 @@ from .search.ahead import gone_ahead
 from .search.choice import taken
 from .search.crew import LATE
 from .search.hearing import heard_beside
-from .search.horizon import Foreseen, fitted_to_loudest, foreseen
+from .search.horizon import fitted_to_loudest, foreseen
 from .search.joint_fit import JointFit
-from .search.model_comparison import Refit, gap_taken, unexplained
+from .search.model_comparison import Refit, gap_taken, is_clear, unexplained
+from .search.recast import Recast
 from .search.revision import Rivals, plainer, pruned, revised
 from .search.reweighed import is_slight, reweighed
+from .search.ringing import behind_low_pass
 from .search.round import Round, go_on, run_round
 from .search.tried import Tried, without
 from .verdict.beyond import beyond_the_list
@@ -93,13 +95,13 @@ def diagnose(
             chosen = None
             if _may_go_on(best, base, study):
                 done = run_round(study, best, rounds, before)
-                short = None if before else _as_foreseen(study, start, done)
-                if short is not None:
-                    study, start, base, tried = short.study, short.start, short.base, Tried(short.study)
-                    notes.append(short.told)
+                other = None if before else _recast(study, start, done)
+                if other is not None:
+                    study, start, base, tried = other.study, other.start, other.base, Tried(other.study)
+                    notes.append(other.told)
                     best, rivals, before, rounds = base, Rivals(), rounds, []
                     done = run_round(study, best, rounds, before)
-                    done.keep(short.model)
+                    done.keep(other.model)
                 chosen = taken(done, base) or _chosen_along(study, done, base)
             if chosen is None and not ahead and rounds and not explains(best, base, study):
                 ahead = True
@@ -147,20 +149,30 @@ def diagnose(
         raise DiagnosisInterruptedError(told, verdict) from None
 
 
-def _as_foreseen(study: Study, start: Refit, done: Round) -> Foreseen | None:
-    """Return what an effect in series comes to in records as far as it foresees them, if it explains them.
+def _recast(study: Study, start: Refit, done: Round) -> Recast | None:
+    """Return what an effect in series comes to in records compared otherwise, if it explains them there.
 
-    It is asked in a first round that leaves much, and fitted to the loudest record before, which may do.
+    It is asked in a first round that leaves much: behind a low pass, as impacts ring; and, fitted to the
+    loudest record before, which may do, in records as far as it foresees them. There must be something left
+    to explain.
     """
     base = done.base
     if base.effects or study.late() or explains(taken(done, base) or base, base, study):
         return None
+    slow = behind_low_pass(study, start, done)
+    if slow is not None and _explains_there(slow):
+        return slow
     loudest = fitted_to_loudest(study, done)
     if loudest is None:
         return None
     done.keep(loudest)
     found = None if explains(loudest, base, study) else foreseen(study, start, base, loudest)
-    return found if found is not None and explains(found.model, found.base, found.study) else None
+    return found if found is not None and _explains_there(found) else None
+
+
+def _explains_there(found: Recast) -> bool:
+    """Tell whether an effect explains a gap that is clear in records compared otherwise."""
+    return is_clear(found.base, found.model) and explains(found.model, found.base, found.study)
 
 
 def _chosen_along(study: Study, done: Round, base: Refit) -> Refit | None:

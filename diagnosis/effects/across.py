@@ -100,7 +100,7 @@ across(
     both(d=DAMPING, v_e=(("v_e", "m/s"), ("w_e", "rad/s"), 0.0, True)),
     _thinning,
     shapes=lambda motion: [{"v_e": r * motion.speed} for r in SHEAR_THINNING_SPEED_RATIOS],
-    plain=("viscous_damping", (1.0,)),
+    plain={"viscous_damping": (1.0,)},
 )
 register(
     Effect(
@@ -111,7 +111,7 @@ register(
         _fading,
         shapes=lambda motion: [{"v_nominal": r * motion.speed} for r in EDDY_CURRENT_SPEED_RATIOS],
         parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _brake(at, p).items()},
-        plain=("viscous_damping", (1.0,)),
+        plain={"viscous_damping": (1.0,)},
     )
 )
 register(
@@ -126,7 +126,7 @@ register(
         _drifting,
         lambda motion, _: [motion.elapsed**n * motion.v for n in range(3)],
         ages=True,
-        plain=("viscous_damping", (1.0, 0.0, 0.0)),
+        plain={"viscous_damping": (1.0, 0.0, 0.0)},
     )
 )
 across("linear_stiffness", "Spring", both(k=STIFFNESS), lambda motion, _: [motion.s], unstretched)
@@ -154,7 +154,7 @@ across(
     both(pull=(("k_pull", "N/m"), ("c_pull", "N.m/rad")), push=(("k_push", "N/m"), ("c_push", "N.m/rad"))),
     lambda motion, _: [np.maximum(motion.s, 0), np.minimum(motion.s, 0)],
     unstretched,
-    plain=("linear_stiffness", (1.0, 1.0)),
+    plain={"linear_stiffness": (1.0, 1.0)},
 )
 register(
     Effect(

@@ -26,9 +26,9 @@ def _waves(motion: Motion, shape: Values) -> list[Array]:
     return [motion.direction * level for level in (1.0, np.cos(at), np.sin(at))]
 
 
-def _breaks_away(values: Values) -> bool:
+def breaks_away(values: Values) -> bool:
     """Tell whether friction falls with speed; what rises from rest is no Stribeck effect."""
-    sliding, static, _ = values.values()
+    sliding, static, *_ = values.values()
     return static >= sliding
 
 
@@ -78,8 +78,8 @@ across(
     ),
     _stribeck,
     shapes=lambda motion: [{"v_s": r * motion.speed} for r in criteria.STRIBECK_SPEED_RATIOS],
-    credible=_breaks_away,
-    plain=("coulomb_friction", (1.0, 1.0)),
+    credible=breaks_away,
+    plain={"coulomb_friction": (1.0, 1.0)},
 )
 across(
     "asymmetric_friction",
@@ -89,7 +89,7 @@ across(
         backward=(("f_backward", "N"), ("tau_backward", "N.m")),
     ),
     lambda motion, _: [np.maximum(motion.direction, 0), np.minimum(motion.direction, 0)],
-    plain=("coulomb_friction", (1.0, 1.0)),
+    plain={"coulomb_friction": (1.0, 1.0)},
     likewise=_leaning,
 )
 across(
@@ -105,7 +105,7 @@ across(
     lambda site, p: {f"{site.mechanics.across}_rel0": site.middle, **_beside(site), **p},
     shapes=lambda motion: [{"period": r * motion.travel} for r in criteria.FRICTION_PERIOD_RATIOS],
     origin=lambda site: site.middle,
-    plain=("coulomb_friction", (1.0, 0.0, 0.0)),
+    plain={"coulomb_friction": (1.0, 0.0, 0.0)},
 )
 register(
     Effect(
@@ -128,6 +128,6 @@ register(
         _drifting,
         lambda motion, _: [motion.elapsed**n * motion.direction for n in range(3)],
         ages=True,
-        plain=("coulomb_friction", (1.0, 0.0, 0.0)),
+        plain={"coulomb_friction": (1.0, 0.0, 0.0)},
     )
 )

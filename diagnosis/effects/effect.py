@@ -114,9 +114,11 @@ class Effect:
         ages: whether it changes as time goes on.
         origin: from where on its site the distance counts, on which its force depends: where it rests.
         grounded: whether it acts from the ground alone, as gravity does, not between two moving parts.
+        unsprung: whether it acts only where no spring is, which would yield itself.
         displaces: whether it acts on what stands still, so that a machine rests elsewhere than without it.
         credible: whether values are those of such an effect, and do not only bend its law into another.
-        plain: a special case: its kind, and what each size is then, over its one size, or over each of them.
+        plain: special cases, the nearest first: by kind, what each size is then, over its one size, or over
+            each of them.
         likewise: values -> others to begin at, where it is, or nearly, the special case it is with these.
     """
 
@@ -136,9 +138,10 @@ class Effect:
     ages: bool = False
     origin: Callable[[Site], float] = field(default=lambda site: site.rest)
     grounded: bool = False
+    unsprung: bool = False
     displaces: bool = False
     credible: Callable[[Values], bool] = field(default=lambda values: True)
-    plain: tuple[str, tuple[float, ...] | tuple[tuple[float, ...], ...]] | None = None
+    plain: Mapping[str, tuple[float, ...] | tuple[tuple[float, ...], ...]] = field(default_factory=dict)
     likewise: Callable[[Values], list[dict[str, float]]] = field(default=lambda values: [])
 
     @property
@@ -149,7 +152,8 @@ class Effect:
     def may_act(self, site: Site) -> bool:
         """Tell whether it is a force or stretch of a kind that may act at a site."""
         here = self.place in site.places and site.domain in self.quantities
-        unfit = (self.memory and site.instant) or (self.grounded and not site.grounded)
+        yields = self.unsprung and bool(site.spring)
+        unfit = yields or (self.memory and site.instant) or (self.grounded and not site.grounded)
         return self.basis is not None and here and not unfit
 
     def about(self, motion: Motion, site: Site) -> Motion:
@@ -158,7 +162,7 @@ class Effect:
 
     def generalises(self, kind: str) -> bool:
         """Tell whether a kind is a special case of this one."""
-        return self.plain is not None and self.plain[0] == kind
+        return kind in self.plain
 
     def shaped(self, domain: str, extent: Extent) -> list[dict[str, float]]:
         """Return values of the shape parameters worth trying, by their names in a domain."""
@@ -171,19 +175,18 @@ class Effect:
 
     def widened(self, domain: str, extent: Extent, plain: Effect, values: Values) -> list[dict[str, float]]:
         """Return values at which it is its special case with the values given: by shape, then likewise."""
-        assert self.plain is not None
         own = np.array([values[q.name] for q in plain.sizes(domain)])
-        sizes = np.reshape(self.plain[1], (-1, len(own))) @ own
+        sizes = np.reshape(self.plain[plain.kind], (-1, len(own))) @ own
         named = dict(zip([q.name for q in self.sizes(domain)], sizes.tolist(), strict=True))
         kept = {q.name: values[q.name] for q in plain.quantities[domain] if q.shape}
-        found = [named | kept] if kept else [named | shape for shape in self.shaped(domain, extent)]
+        shapes = [shape | kept for shape in self.shaped(domain, extent)] or [kept]
+        found = [named | shape for n, shape in enumerate(shapes) if shape not in shapes[:n]]
         return [*found, *(other for values in found for other in self.likewise(values))]
 
     def narrowed(self, domain: str, plain: Effect, values: Values) -> dict[str, float]:
         """Return values of its special case, of the sizes that are nearest to its own."""
-        assert self.plain is not None
         own, sizes = self.sizes(domain), plain.sizes(domain)
-        widening = np.reshape(self.plain[1], (len(own), len(sizes)))
+        widening = np.reshape(self.plain[plain.kind], (len(own), len(sizes)))
         nearest = np.linalg.lstsq(widening, np.array([values[q.name] for q in own]), rcond=None)[0]
         shape = {q.name: values[q.name] for q in plain.quantities[domain] if q.shape}
         return dict(zip([q.name for q in sizes], nearest.tolist(), strict=True)) | shape

@@ -76,20 +76,18 @@ class Hypothesis(SitedEffect):
 
         The other is a special case of it, or has one in common with it, of which it is the rest; else None.
         """
-        special = other if self.generalises(other) else other.special
-        if special is None or not self.generalises(special):
+        shared = [other] if self.generalises(other) else other.specials
+        special = next((one for one in shared if self.generalises(one)), None)
+        if special is None:
             return None
         sizes = self.effect.widened(self.site.domain, self.site, special.effect, special.values)[0]
         return {q.name: self.values[q.name] + (0.0 if q.shape else sizes[q.name]) for q in self.quantities}
 
     @property
-    def special(self) -> Hypothesis | None:
-        """Its special case that is nearest to it; None if it has none."""
-        kind, domain = self.effect.plain and self.effect.plain[0], self.site.domain
-        if kind is None:
-            return None
-        plain = EFFECTS[kind]
-        return replace(self, effect=plain, values=self.effect.narrowed(domain, plain, self.values))
+    def specials(self) -> list[Hypothesis]:
+        """Its special cases that are nearest to it, one of each kind."""
+        kinds, domain = (EFFECTS[kind] for kind in self.effect.plain), self.site.domain
+        return [replace(self, effect=k, values=self.effect.narrowed(domain, k, self.values)) for k in kinds]
 
     @property
     def edits(self) -> list[Edit]:

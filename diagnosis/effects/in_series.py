@@ -18,6 +18,12 @@ def _stop(site: Site) -> float:
     return site.force / (criteria.STOP_DEFLECTION_RATIO * site.travel)
 
 
+def _give(site: Site, values: Values) -> float:
+    """Return the compliance of flanks: that of a stop if none is told, and a hundredth of it at least."""
+    stop = 1 / _stop(site)
+    return max(values.get("compliance", stop), criteria.LEAST_FLANK_RATIO * stop)
+
+
 CLEARANCES: dict[str, tuple[type[Component], str, float]] = {  # element, its width, halves of play in that
     Domain.TRANSLATIONAL: (Backlash, "eps", 1.0),
     Domain.ROTATIONAL: (rotational.ElastoBacklash, "b", 2.0),
@@ -37,11 +43,11 @@ def _width(site: Site, values: Values) -> dict[str, float]:
 
 
 def _play(site: Site, name: str, values: Values) -> list[Edit]:
-    """Return the flanks that a spring becomes; with all else a stiff gap is in series."""
+    """Return the flanks that a spring becomes; with all else a gap is in series, stiff if nothing is told."""
     if site.spring:
         return [Exchange(site.path, _flanks(site, values))]
-    stiffness, oil = _stop(site), criteria.OIL_FORCE_RATIO * site.force / site.speed
-    calming = criteria.BALLAST_SECONDS * stiffness if site.sticks else 0.0
+    stiffness, oil = 1 / _give(site, values), criteria.OIL_FORCE_RATIO * site.force / site.speed
+    calming = criteria.IMPACT_SECONDS * stiffness
     kind, _, _ = CLEARANCES[site.domain]
     gap = kind(**{site.mechanics.stiffness: stiffness}, d=calming, **_width(site, values))
     both_ways = parallel(gap=gap, oil=site.family.Damper(d=oil))
@@ -64,6 +70,13 @@ def _gap(site: Site, name: str, values: Values) -> dict[str, float]:
     if site.spring:
         return {f"{site.path}.b": 2 * values["eps"]}
     return {f"{name}.gap.{key}": value for key, value in _width(site, values).items()}
+
+
+def _elastic_gap(site: Site, name: str, values: Values) -> dict[str, float]:
+    """Return width, stiffness and damping of the gap by their paths."""
+    stiffness = 1 / _give(site, values)
+    flanks = {site.mechanics.stiffness: stiffness, "d": criteria.IMPACT_SECONDS * stiffness}
+    return _gap(site, name, values) | {f"{name}.gap.{key}": value for key, value in flanks.items()}
 
 
 def _ballast(site: Site, name: str, stiffness: float) -> list[Edit]:
@@ -127,6 +140,22 @@ register(
         lambda motion, _: [motion.f],
         eased=_softer,
         parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _spring(at, p).items()},
+    )
+)
+register(
+    Effect(
+        "elastic_backlash",
+        "series",
+        both(
+            eps=(("eps", "m"), ("eps", "rad")),
+            compliance=(("compliance", "m/N"), ("compliance", "rad/(N.m)")),
+        ),
+        _play,
+        lambda motion, shape: [*_taken_up(motion, shape), motion.f],
+        parameters=_elastic_gap,
+        step=criteria.CLEARANCE_STEP_RATIO,
+        unsprung=True,
+        plain={"compliance": ((0.0,), (1.0,)), "backlash": ((1.0,), (0.0,))},
     )
 )
 register(

@@ -156,6 +156,13 @@ def _blocked(placed: Hypothesis, campaign: Campaign) -> Iterator[_Doubt]:
         yield _Doubt(width / largest, criteria.BLOCKED_COMMAND_SHARE, told)
 
 
+def _flanks(placed: Hypothesis, _: Campaign) -> Iterator[_Doubt]:
+    if {"eps", "compliance"} <= placed.values.keys() and placed.values["compliance"] > 0:
+        yielding, play = placed.values["compliance"] * placed.site.force, placed.values["eps"]
+        told = f"a play of {play:.3g} is nothing beside the {yielding:.3g} by which its flanks yield"
+        yield _Doubt(yielding / play if play else inf, criteria.YIELDING_OVER_PLAY, told)
+
+
 def _is_dry(placed: Hypothesis) -> bool:
     return placed.effect.kind == DRY or placed.effect.generalises(DRY)
 
@@ -171,4 +178,5 @@ RULES: tuple[Callable[[Hypothesis, Campaign], Iterator[_Doubt]], ...] = (
     _late,
     _inertia,
     _blocked,
+    _flanks,
 )

@@ -106,7 +106,7 @@ across(
     shapes=lambda motion: _periods(motion, criteria.HARMONICS_PER_TRAVEL, criteria.HARMONIC_PERIODS),
     origin=lambda site: 0.0,
     displaces=True,
-    plain=("position_ripple", tuple(map(tuple, np.eye(6, 2).tolist()))),
+    plain={"position_ripple": tuple(map(tuple, np.eye(6, 2).tolist()))},
     credible=_has_waves,
     likewise=_as_overtone,
 )

@@ -12,7 +12,7 @@ from ...base import Array
 from ...components.iwan import CELL_SHARPNESS, CELLS, yields_of
 from .. import criteria
 from .across import DAMPING, STIFFNESS, across, unstretched
-from .dry_friction import COULOMB
+from .dry_friction import COULOMB, breaks_away
 from .effect import Motion, Values, both
 from .sites import Site
 
@@ -80,6 +80,20 @@ def _dahl(motion: Motion, shape: Values) -> list[Array]:
     return [_along(motion.s, lambda start, moved, way: way - (way - start) * np.exp(-moved / s_p))[:, 0]]
 
 
+def _bristles(motion: Motion, shape: Values) -> list[Array]:
+    """Return what LuGre's bristles bear of either level: they build up, and give way as they slip faster."""
+    speed, travel = shape.values()
+    fading = np.exp(-((motion.v / speed) ** 2))
+    (built,) = _dahl(motion, {"s_p": travel})
+    return [built * (1 - fading), built * fading]
+
+
+def _lugre(p: Values) -> dict[str, float]:
+    """Return what is fitted of bristles: at break-away they have bent by the last of these."""
+    sliding, static, speed, travel = p.items()
+    return dict((sliding, static, speed)) | {"sigma_0": static[1] / travel[1]}
+
+
 def _relaxing(motion: Motion, shape: Values) -> list[Array]:
     """Return the speed of a damper that a spring, in series with it, lets follow in a time T.
 
@@ -116,7 +130,31 @@ across(
     _dahl,
     shapes=lambda motion: [{"s_p": r * motion.travel} for r in criteria.PRESLIDING_TRAVEL_RATIOS],
     memory=True,
-    plain=("coulomb_friction", (1.0,)),
+    plain={"coulomb_friction": (1.0,)},
+)
+across(
+    "lugre_friction",
+    "LuGreFriction",
+    both(
+        f_c=(*COULOMB, criteria.LEAST_FRICTION),
+        f_s=(("f_s", "N"), ("tau_s", "N.m"), criteria.LEAST_FRICTION),
+        v_s=(("v_s", "m/s"), ("w_s", "rad/s"), 0.0, True),
+        s_p=(("s_p", "m"), ("phi_p", "rad"), 0.0, True),
+    ),
+    _bristles,
+    lambda site, p: _lugre(p),
+    shapes=lambda motion: [
+        {"v_s": v * motion.speed, "s_p": s * motion.travel}
+        for v, s in product(criteria.STRIBECK_SPEED_RATIOS, criteria.PRESLIDING_TRAVEL_RATIOS)
+    ],
+    parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _lugre(p).items()},
+    memory=True,
+    credible=breaks_away,
+    plain={
+        "presliding_friction": (1.0, 1.0),
+        "stribeck_friction": ((1.0, 0.0), (0.0, 1.0)),
+        "coulomb_friction": (1.0, 1.0),
+    },
 )
 across(
     "hysteresis",
@@ -153,5 +191,5 @@ across(
     ],
     parameters=lambda at, name, p: {f"{name}.{key}": v for key, v in _branch(at, p).items()},
     memory=True,
-    plain=("viscous_damping", (1.0,)),
+    plain={"viscous_damping": (1.0,)},
 )

@@ -9,11 +9,12 @@ from typing import Any
 from ...base import Array
 from ...components import ModelError
 from ...identification import Campaign, Change, Experiment, RecordModel
-from ...networks import DAE, Variations
+from ...networks import Network, Variations
 from ..effects.effect import Motion
 from ..effects.hypothesis import Hypothesis, with_effects
 from ..effects.sites import Site
 from .force import Force, push_of
+from .low_pass import behind_low_passes
 from .probes import motion_at, probed
 
 
@@ -29,9 +30,9 @@ class NetworkPredictor:
     ) -> None:
         changed = with_effects(campaign.network, effects)
         self.effects, self.network, self.parameters = effects, changed, list(parameters)
-        self.dae = (probed(changed, sites) if sites else changed).dae()
         self.channels = campaign.measured
-        outputs = [c.path for c in self.channels.values() if not c.driven]
+        wired, outputs = behind_low_passes(probed(changed, sites) if sites else changed, self.channels)
+        self.dae = wired.dae()
         self.own = list(campaign.per_record)
         self.clocks = [name for placed in effects for name in placed.clocks]
         self.variations = Variations(self.dae, outputs, [*parameters, *self.own])
@@ -47,15 +48,15 @@ class NetworkPredictor:
         set_back = replace(experiment, values={**experiment.values, **offsets})
         if experiment.change is None or not experiment.change.rebuilds:
             return RecordModel(self.dae, set_back, self.channels, self.variations, self.own, pushed)
-        dae = self._rebuilt(experiment.change)
-        outputs = [c.path for c in self.channels.values() if not c.driven]
+        wired, outputs = behind_low_passes(self._rebuilt(experiment.change), self.channels)
+        dae = wired.dae()
         parameters = [path for path in self.parameters if not experiment.change.replaces(path)]
         own = [path for path in self.own if not experiment.change.replaces(path)]
         variations = Variations(dae, outputs, [*parameters, *own])
         return RecordModel(dae, set_back, self.channels, variations, own, pushed)
 
-    def _rebuilt(self, change: Change) -> DAE:
-        """Return the equations with the components changed, once no effect is seen to go with them."""
+    def _rebuilt(self, change: Change) -> Network:
+        """Return the network with the components changed, once no effect is seen to go with them."""
         for placed in self.effects:
             gone = change.replaces(placed.site.path)
             stays = placed.effect.place != "series" and any(not change.replaces(p) for p in placed.site.same)
@@ -63,7 +64,7 @@ class NetworkPredictor:
                 raise ModelError(
                     f"whether {placed.label} goes with '{gone}', which the change takes away, no model tells"
                 )
-        return change.applied(self.network).dae()
+        return change.applied(self.network)
 
     def instants(self, found: Any) -> Array:
         """Return at which instants of a run changes are to be given: its points [s]."""

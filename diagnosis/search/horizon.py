@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -15,32 +14,8 @@ from ..models.study import FMUStudy, Study
 from .crew import refused
 from .joint_fit import JointFit
 from .model_comparison import Refit
-from .round import Round
-
-
-@dataclass(frozen=True, eq=False)
-class Foreseen:
-    """Models in records that are compared as far as one with an effect foresees them.
-
-    Where free runs part from each other, what a fit sees of a record is as rough as a comb, and what is left
-    of it tells of no cause.
-
-    Attributes:
-        study: with these records.
-        start: the model as it was given.
-        base: the same, its parameters fitted.
-        model: that with the effect.
-        told: which records are compared for how long, and why, in words.
-
-    Source: H. U. Voss, J. Timmer, J. Kurths, Nonlinear dynamical system identification from uncertain and
-    indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933.
-    """
-
-    study: Study
-    start: Refit
-    base: Refit
-    model: Refit
-    told: str
+from .recast import Recast
+from .round import Round, nearest_in_series
 
 
 def fitted_to_loudest(study: Study, done: Round) -> Refit | None:
@@ -49,15 +24,13 @@ def fitted_to_loudest(study: Study, done: Round) -> Refit | None:
     Beside that motion a play is least, and runs stay together longest. It is held against all records as it
     is. None for an FMU, if no such effect came near, or if it cannot be run or be a machine's.
     """
-    chosen = _nearest_in_series(done)
+    chosen = nearest_in_series(done)
     if chosen is None or isinstance(study, FMUStudy):
         return None
     study.tell(f"fitting {chosen.labels[-1]} to the loudest record alone")
     screened = next(c for c in done.candidates if c.label == chosen.labels[-1])
-    campaign = copy(study.campaign)
-    loudest = max(campaign.training, key=_loudness)
-    campaign.training = [loudest]
-    alone, fits = replace(study, campaign=campaign), list[Refit]()
+    loudest = max(study.campaign.training, key=_loudness)
+    alone, fits = replace(study, campaign=study.campaign.with_records([loudest])), list[Refit]()
     try:
         parameters = JointFit(alone, done.base.parameters).fitted().parameters, done.base.parameters
         for size, given in product(criteria.SERIES_START_SIZES, parameters):
@@ -74,30 +47,20 @@ def fitted_to_loudest(study: Study, done: Round) -> Refit | None:
     return None if refused(found.effects[-1], study.campaign) else found
 
 
-def foreseen(study: Study, start: Refit, base: Refit, model: Refit) -> Foreseen | None:
-    """Return models in records that are compared as far as one foresees them.
+def foreseen(study: Study, start: Refit, base: Refit, model: Refit) -> Recast | None:
+    """Return models in records that are compared as far as one with an effect foresees them.
 
-    None if it foresees all of them, or one cannot be run.
+    Where free runs part from each other, what a fit sees of a record is as rough as a comb, and what is left
+    of it tells of no cause. None if it foresees all of them, or one cannot be run.
+
+    Source: H. U. Voss, J. Timmer, J. Kurths, Nonlinear dynamical system identification from uncertain and
+    indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933.
     """
     try:
         short = _within_horizon(study, model)
-        if short is study:
-            return None
-        refit = JointFit(short, base.parameters, near=base)
-        given = refit.seen(refit.vector(start.parameters, []))
-        found = JointFit(short, model.parameters, model.effects, model).fitted()
-        return Foreseen(short, given, refit.fitted(), found, _told(study, short, model))
+        return None if short is study else Recast.of(short, start, base, model, _told(study, short, model))
     except InertanceError:
         return None
-
-
-def _nearest_in_series(done: Round) -> Refit | None:
-    """Return the model with an effect in series nearest to the training records, if any comes near."""
-    in_series = (model for model in done.fitted if model.effects[-1].effect.place == "series")
-    found = min(in_series, key=lambda model: model.cost, default=None)
-    most = max((done.base.cost - model.cost for model in done.fitted), default=0.0)
-    near = found is not None and done.base.cost - found.cost > criteria.RIVAL_DROP_RATIO * most
-    return found if near else None
 
 
 def _loudness(experiment: Experiment) -> float:
@@ -107,11 +70,11 @@ def _loudness(experiment: Experiment) -> float:
 
 def _within_horizon(study: Study, model: Refit) -> Study:
     """Return the study with records as far as a model foresees them; itself if that is to their ends."""
-    joint, campaign = JointFit(study, model.parameters, model.effects, model), copy(study.campaign)
-    campaign.training = [_seen_within(joint, experiment) for experiment in campaign.training]
-    campaign.testing = [_seen_within(joint, experiment) for experiment in campaign.testing]
-    cut = any(a is not b for a, b in zip(campaign.experiments, study.campaign.experiments, strict=True))
-    return replace(study, campaign=campaign) if cut else study
+    joint, campaign = JointFit(study, model.parameters, model.effects, model), study.campaign
+    known = campaign.training, campaign.testing
+    short = campaign.with_records(*([_seen_within(joint, e) for e in records] for records in known))
+    cut = any(a is not b for a, b in zip(short.experiments, campaign.experiments, strict=True))
+    return replace(study, campaign=short) if cut else study
 
 
 def _seen_within(joint: JointFit, experiment: Experiment) -> Experiment:

@@ -44,16 +44,17 @@ def plainer(best: Refit, tried: Tried) -> Refit:
     Fitted from elsewhere, they may have ended in another minimum.
     """
     for position, placed in enumerate(best.effects):
-        special = placed.special
-        if special is None or tried.study.late():
-            continue
-        tried.study.tell(f"trying {special.label}, a special case, from where {placed.effect.kind} led")
-        others = _others(placed, best)
-        renamed = replace(special, name=_free_name(special, others.effects))
-        fit = Fit(renamed, others, [(best.parameters, special.values)], best.cost)
-        found = tried.crew.begin(fit)()
-        if isinstance(found, Refit) and not is_worth_it(found, best):
-            best = _ordered(found, special.label, position)
+        for special in placed.specials:
+            if tried.study.late():
+                return best
+            tried.study.tell(f"trying {special.label}, a special case, from where {placed.effect.kind} led")
+            others = _others(placed, best)
+            renamed = replace(special, name=_free_name(special, others.effects))
+            fit = Fit(renamed, others, [(best.parameters, special.values)], best.cost)
+            found = tried.crew.begin(fit)()
+            if isinstance(found, Refit) and not is_worth_it(found, best):
+                best = _ordered(found, special.label, position)
+                break
     return best
 
 

@@ -68,6 +68,15 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     return rounds[-1]
 
 
+def nearest_in_series(done: Round) -> Refit | None:
+    """Return the model with an effect in series nearest to the training records, if any comes near."""
+    in_series = (model for model in done.fitted if model.effects[-1].effect.place == "series")
+    found = min(in_series, key=lambda model: model.cost, default=None)
+    most = max((done.base.cost - model.cost for model in done.fitted), default=0.0)
+    near = found is not None and done.base.cost - found.cost > criteria.RIVAL_DROP_RATIO * most
+    return found if near else None
+
+
 def go_on(study: Study, done: Round, candidates: Sequence[Candidate], near: Refit) -> None:
     """Fit candidates in a first round that came to nothing, from where they were screened.
 
@@ -229,7 +238,9 @@ def _promising(waiting: Sequence[Candidate], kept: float, fitted: Sequence[Refit
     good = [
         c
         for c in waiting
-        if c.effect.place == "series" or c.gain > least or (best and c.generalises(best.effects[-1]))
+        if (c.effect.place == "series" and not c.effect.plain)
+        or c.gain > least
+        or (best and c.generalises(best.effects[-1]))
     ]
     return [c for c in waiting if c in good or any(other.generalises(c) for other in good)]
 

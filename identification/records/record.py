@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from math import ceil
+from math import ceil, inf
 from typing import Any, Self
 
 import numpy as np
@@ -28,6 +28,7 @@ class Channel:
         si: unit of the quantity in the network.
         interpolation: of an input between its samples, as of `Sampled`.
         delay: by how much an input acts later than it was recorded [s]; earlier if negative.
+        cutoff: of a low pass through which model and record go before an output is compared [Hz].
     """
 
     path: str
@@ -36,6 +37,7 @@ class Channel:
     si: str
     interpolation: str = "cubic"
     delay: float = 0.0
+    cutoff: float = inf
 
     @property
     def held(self) -> bool:

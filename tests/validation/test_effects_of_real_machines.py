@@ -104,6 +104,24 @@ def test_friction_of_bristles_before_it_slips() -> None:
     assert found.closed > 0.93
 
 
+def test_friction_of_bristles_that_falls_with_speed() -> None:
+    """LuGre with twice the friction at rest, as its authors measured it: neither law alone has both."""
+
+    def lugre(s: float, v: float, z: float) -> tuple[float, float]:
+        level = 1.0 + 1.0 * np.exp(-((v / 0.02) ** 2))
+        rate = v - 1000.0 * abs(v) / level * z
+        return 1000.0 * z + 0.3 * rate, rate
+
+    found = moved(lugre)
+    assert [placed.label for placed in found.effects] == ["lugre_friction at guide"]
+    values = found.effects[0].values
+    assert values["f_c"] == pytest.approx(1.0, rel=0.1)
+    assert values["f_s"] == pytest.approx(2.0, rel=0.1)
+    assert values["v_s"] == pytest.approx(0.02, rel=0.2)
+    assert values["s_p"] == pytest.approx(2e-3, rel=0.3)
+    assert found.closed > 0.93
+
+
 def test_hysteresis_that_yields_softly() -> None:
     """A Bouc-Wen loop with n = 1 whose beta and gamma differ."""
 

@@ -10,9 +10,10 @@ import pytest
 from inertance.diagnosis import diagnose
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.models.study import Study
-from inertance.diagnosis.search.horizon import Foreseen, fitted_to_loudest, foreseen
+from inertance.diagnosis.search.horizon import fitted_to_loudest, foreseen
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
+from inertance.diagnosis.search.recast import Recast
 from inertance.diagnosis.search.round import Round
 from inertance.diagnosis.search.score_test import screen
 from inertance.diagnosis.verdict.decide import explains
@@ -88,7 +89,7 @@ def loudest(study: Study, done: Round) -> Refit:
 
 
 @pytest.fixture(scope="module")
-def short(study: Study, done: Round, loudest: Refit) -> Foreseen:
+def short(study: Study, done: Round, loudest: Refit) -> Recast:
     found = foreseen(study, done.base, done.base, loudest)
     assert found is not None
     return found
@@ -104,7 +105,7 @@ def test_the_loudest_record_leads_to_the_play_that_is_there(loudest: Refit) -> N
         assert loudest.parameters[name] == pytest.approx(value, rel=0.03), name
 
 
-def test_quiet_records_are_compared_as_far_as_they_can_be_foreseen(study: Study, short: Foreseen) -> None:
+def test_quiet_records_are_compared_as_far_as_they_can_be_foreseen(study: Study, short: Recast) -> None:
     pairs = zip(study.campaign.experiments, short.study.campaign.experiments, strict=True)
     for whole, part in pairs:
         lasts = np.ptp(part.compared.time)
@@ -119,7 +120,7 @@ def test_quiet_records_are_compared_as_far_as_they_can_be_foreseen(study: Study,
     assert short.model.misfit < 1.1
 
 
-def test_what_is_left_out_hangs_on_what_nobody_knows(study: Study, loudest: Refit, short: Foreseen) -> None:
+def test_what_is_left_out_hangs_on_what_nobody_knows(study: Study, loudest: Refit, short: Recast) -> None:
     """A hundredth of a percent more stiffness moves nothing that is compared, and a quiet record by a lot."""
     stiffer = {**loudest.parameters, "link.k": 1.0001 * loudest.parameters["link.k"]}
     joint, other = (JointFit(study, given, loudest.effects) for given in (loudest.parameters, stiffer))
