@@ -102,7 +102,8 @@ def _through(values: Array, cutoff: float, rate: float) -> Array:
 
     w = 2 * pi * cutoff
     poles = np.polymul(*([1.0, 2 * ratio * w, w**2] for ratio in DAMPING_RATIOS))
-    numerator, denominator, _ = cont2discrete(([w**4], poles), 1 / rate, method="foh")
+    found: Any = cont2discrete(([w**4], poles), 1 / rate, method="foh")
+    numerator, denominator, _ = found
     return np.asarray(lfilter(np.ravel(numerator), denominator, values))
 
 

@@ -260,10 +260,10 @@ def test_joined_with_its_special_case_a_law_does_what_both_do(effect: Effect) ->
     assert both is not None
     assert force(effect, both) == pytest.approx(force(effect, own) + force(plain, special), abs=1e-9)
     one = Hypothesis(effect, site, "rich_1", own)
-    special = one.specials[0]
-    again = replace(one, values=one.joined(special) or {}).specials[0]
+    less = one.specials[0]
+    again = replace(one, values=one.joined(less) or {}).specials[0]
     sizes = [q.name for q in plain.sizes("translational")]
-    assert [again.values[n] for n in sizes] == pytest.approx([2 * special.values[n] for n in sizes])
+    assert [again.values[n] for n in sizes] == pytest.approx([2 * less.values[n] for n in sizes])
 
 
 def test_a_law_takes_over_what_it_has_in_common_with_another() -> None:
