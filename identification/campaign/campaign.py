@@ -12,13 +12,14 @@ from typing import Any, Self
 
 import numpy as np
 
-from ...base import boolean, demand, function, instance, path_of, shown, text_of, there_is_file
+from ...base import boolean, demand, function, instance, optional, path_of, shown, text_of, there_is_file
 from ...components import ModelError
 from ...networks import DAE, Network
 from ..records.noise import STATED, NoiseFloor, repeated_floor, spectral_floor
 from ..records.record import Channel, outputs_of
 from .channels import read_channels, read_noise
 from .checks import (
+    EXPERIMENTS,
     dead_sensors,
     floors_of,
     noise_beside_signals,
@@ -272,16 +273,31 @@ class Campaign:
         testing: Sequence[Experiment] | None = None,
         changed: Sequence[Experiment] | None = None,
     ) -> Campaign:
-        """Return the campaign with other records; with its own where none are given."""
+        """Return the campaign with other records; with its own where none are given.
+
+        Raises:
+            ModelError: for what is no list of experiments.
+        """
         own = {"training": training, "testing": testing, "changed": changed}
+        demand("with_records()", **{name: (given, optional(EXPERIMENTS)) for name, given in own.items()})
         other = copy(self)
         vars(other).update({name: [*records] for name, records in own.items() if records is not None})
         return other
 
     def with_each(self, changed: Callable[[Experiment], Experiment]) -> Campaign:
-        """Return the campaign with each of its records changed."""
+        """Return the campaign with each of its records changed.
+
+        Raises:
+            ModelError: for what makes no experiment of one.
+        """
+        demand("with_each()", changed=(changed, function))
         own = self.training, self.testing, self.changed
-        return self.with_records(*([changed(experiment) for experiment in records] for records in own))
+        try:
+            return self.with_records(*([changed(experiment) for experiment in records] for records in own))
+        except TypeError as error:
+            raise ModelError(
+                f"{shown(changed)} changes no record ({type(error).__name__}: {error})"
+            ) from error
 
     def _weigh(self, floors: Sequence[Mapping[str, NoiseFloor]]) -> None:
         count, before = len(self.training), getattr(self, "floors", {})

@@ -120,6 +120,13 @@ def rates_that_differ(experiments: Sequence[Experiment]) -> Iterator[str]:
         yield f"sampling rates differ ({told}); each record is simulated at its own"
 
 
+def _are_experiments(given: Any) -> bool:
+    return isinstance(given, list | tuple) and all(isinstance(one, Experiment) for one in given)
+
+
+EXPERIMENTS = must("be a list of experiments, such as campaign.training", _are_experiments)
+
+
 def floors_of(outputs: Sequence[str], count: int) -> Check:
     """Return the check that a noise floor of each output is given for each of so many records."""
 
