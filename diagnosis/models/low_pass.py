@@ -65,7 +65,7 @@ def low_passed(campaign: Campaign) -> Campaign | None:
     and a stiff contact rings as no logger's filter leaves it. Behind a low pass, from rest as the record
     begins, model and record agree on what is slower.
     """
-    dae = campaign.network.dae()
+    dae = campaign.dae
     ringing = [
         name
         for name in campaign.outputs
