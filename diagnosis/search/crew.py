@@ -12,6 +12,7 @@ from ...base import computing
 from ...components import InertanceError
 from ...identification import Accuracy, Campaign
 from .. import criteria
+from ..effects.effect import Values
 from ..effects.hypothesis import Hypothesis
 from ..effects.plausibility import implausible
 from ..models.study import Study, study_of
@@ -113,15 +114,17 @@ def refused(placed: Hypothesis, campaign: Campaign) -> str:
     return "" if odd is None else f"no such machine: {odd}"
 
 
+def in_several_sizes(values: Values) -> list[dict[str, float]]:
+    """Return values of an effect in series to begin at, as screening tells little of its size."""
+    return [{name: size * value for name, value in values.items()} for size in criteria.SERIES_START_SIZES]
+
+
 def _starts(candidate: Candidate, fitted: Sequence[Refit]) -> list[FitStart]:
     """Return parameters and values to fit a candidate from: as screened, or as its best special case."""
     effect, site = candidate.effect, candidate.site
     unsure = effect.place == "series" and not candidate.sized
-    sizes = criteria.SERIES_START_SIZES if unsure else (1.0,)
-    starts: list[FitStart] = [
-        (candidate.parameters, {name: size * value for name, value in candidate.values.items()})
-        for size in sizes
-    ]
+    begins = in_several_sizes(candidate.values) if unsure else [candidate.values]
+    starts: list[FitStart] = [(candidate.parameters, values) for values in begins]
     special = [model for model in fitted if candidate.generalises(model.effects[-1])]
     if special:
         plain = min(special, key=lambda model: model.cost)

@@ -11,7 +11,7 @@ from ...components import InertanceError
 from ...identification import Experiment
 from .. import criteria
 from ..models.study import FMUStudy, Study
-from .crew import refused
+from .crew import in_several_sizes, refused
 from .joint_fit import JointFit
 from .model_comparison import Refit
 from .recast import Recast
@@ -33,8 +33,7 @@ def fitted_to_loudest(study: Study, done: Round) -> Refit | None:
     alone, fits = replace(study, campaign=study.campaign.with_records([loudest])), list[Refit]()
     try:
         parameters = JointFit(alone, done.base.parameters).fitted().parameters, done.base.parameters
-        for size, given in product(criteria.SERIES_START_SIZES, parameters):
-            values = {name: size * value for name, value in screened.values.items()}
+        for values, given in product(in_several_sizes(screened.values), parameters):
             placed = replace(chosen.effects[-1], values=values)
             fits.append(JointFit(alone, given, [placed]).fitted())
             if fits[-1].cost < criteria.NOISE_MISFIT**2 * loudest.independent or study.late():
