@@ -114,7 +114,7 @@ class Effect:
         ages: whether it changes as time goes on.
         origin: from where on its site the distance counts, on which its force depends: where it rests.
         grounded: whether it acts from the ground alone, as gravity does, not between two moving parts.
-        unsprung: whether it acts only where no spring is, which would yield itself.
+        unsprung: whether it acts only where no part has a stiffness, which would yield itself.
         displaces: whether it acts on what stands still, so that a machine rests elsewhere than without it.
         credible: whether values are those of such an effect, and do not only bend its law into another.
         plain: special cases, the nearest first: by kind, what each size is then, over its one size, or over
@@ -152,7 +152,7 @@ class Effect:
     def may_act(self, site: Site) -> bool:
         """Tell whether it is a force or stretch of a kind that may act at a site."""
         here = self.place in site.places and site.domain in self.quantities
-        yields = self.unsprung and bool(site.spring)
+        yields = self.unsprung and site.yields
         unfit = yields or (self.memory and site.instant) or (self.grounded and not site.grounded)
         return self.basis is not None and here and not unfit
 

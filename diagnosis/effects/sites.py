@@ -30,6 +30,7 @@ _PAIRS = (
     ("support", "flange"),
 )
 SPRINGS = Spring, SpringDamper, rotational.Spring, rotational.SpringDamper
+STIFFNESS_UNITS: dict[str, str] = {Domain.TRANSLATIONAL: "N/m", Domain.ROTATIONAL: "N.m/rad"}
 GROUND = "ground"
 BETWEEN = frozenset({"across", "loaded", "series"})
 
@@ -64,6 +65,7 @@ class Site:
         instant: whether only forces that depend on the present motion can act here.
         grounded: whether one of its flanges is held by the ground.
         spring: what it is made with, by name, if it is a linear spring, with or without a damper.
+        yields: whether a part that bears its force has a stiffness.
         unstretched: distance at which a linear spring between its nodes bears nothing; None without one.
     """
 
@@ -91,6 +93,7 @@ class Site:
     instant: bool = False
     grounded: bool = False
     spring: tuple[tuple[str, float], ...] = ()
+    yields: bool = False
     unstretched: float | None = None
 
     @property
@@ -123,9 +126,16 @@ def sites_of(network: Network) -> list[Site]:
             found.setdefault(ends, []).append(replace(site, grounded=-1 in ends))
     merged = [(ends, site) for ends, group in found.items() if len(ends) == 2 for site in _merged(group)]
     joints = [joint for node in nodes if (joint := _joint(node, parts))]
+    yielding = {site.path for _, site in merged if site.yields}
+    found_in = ((ends, site, _line(site.path, joints)) for ends, site in merged)
     return [
-        replace(site, neighbours=tuple(_neighbours(ends, merged)), line=_line(site.path, joints))
-        for ends, site in merged
+        replace(
+            site,
+            neighbours=tuple(_neighbours(ends, merged)),
+            line=line,
+            yields=not yielding.isdisjoint((site.path, *line)),
+        )
+        for ends, site, line in found_in
     ]
 
 
@@ -210,8 +220,8 @@ def _site(path: str, component: Component, node_of: dict[str, int]) -> Site | No
             rank = 2 if "d" in fields else int("s_rel" in fields or "phi_rel" in fields)
             sticks = isinstance(component, Friction | rotational.Friction)
             found = Site(path, port.domain, f"{path}.{moving}", far, BETWEEN, rank, sticks=sticks)
-            passes_on = _passes_on(component, moving, fixed)
-            return replace(found, passes_on=passes_on, spring=tuple(_spring(component)))
+            passes_on, spring = _passes_on(component, moving, fixed), tuple(_spring(component))
+            return replace(found, passes_on=passes_on, spring=spring, yields=_yields(component, port.domain))
     return None
 
 
@@ -228,6 +238,12 @@ def _spring(component: Component) -> Iterator[tuple[str, float]]:
     made = {field.name: getattr(component, field.name) for field in fields_of(component, Parameter)}
     if all(isinstance(value, float) for value in made.values()) and made.get("k", made.get("c", 0.0)) > 0:
         yield from made.items()
+
+
+def _yields(component: Component, domain: str) -> bool:
+    """Tell whether a component has a stiffness in a domain, not of zero."""
+    unit = STIFFNESS_UNITS.get(domain)
+    return any(f.unit == unit and getattr(component, f.name) != 0 for f in fields_of(component, Parameter))
 
 
 def walk(component: Component, path: str) -> Iterator[tuple[str, Component]]:

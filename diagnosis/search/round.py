@@ -14,6 +14,7 @@ from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .crew import LATE, Crew, Fit, Outcome
+from .followed import fitted_to_followed
 from .joint_fit import JointFit
 from .model_comparison import Refit, best_of, unexplained
 from .needless import needless
@@ -65,7 +66,32 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     same = (done for done in before if done.base.labels == base.labels)
     known = {model.effects[-1].label: model for done in same for model in done.fitted}
     _fit(study, rounds[-1], candidates, rounds[0], early, known=known)
+    if rounds[-1].fitted:
+        _fit(study, rounds[-1], _richer(rounds[-1], candidates), rounds[0], None, known=known)
+        _follow(study, rounds[-1].fitted)
     return rounds[-1]
+
+
+def _richer(done: Round, candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Return what was none of the leading, and generalises the model nearest to the training records.
+
+    Or a special case of it: that promises as much as what a fit has shown. None if nothing but noise is left.
+    """
+    nearest = min(done.fitted, key=lambda model: model.cost)
+    if nearest.misfit <= criteria.NOISE_MISFIT:
+        return []
+    last = [model.effects[-1] for model in done.fitted]
+    named = nearest.effects[-1]
+    kin = [placed for placed in last if placed is named or named.generalises(placed)]
+    known = {placed.label for placed in last} | done.failed.keys()
+    richer = (c for c in candidates if c.label not in known and any(c.generalises(p) for p in kin))
+    return [*richer][: criteria.RESERVES_PER_ROUND]
+
+
+def _follow(study: Study, fitted: list[Refit]) -> None:
+    """Fit the model nearest to the training records to what it follows, if it is lost in stretches."""
+    nearest = min(range(len(fitted)), key=lambda n: fitted[n].cost)
+    fitted[nearest] = fitted_to_followed(study, fitted[nearest])
 
 
 def nearest_in_series(done: Round) -> Refit | None:

@@ -12,6 +12,7 @@ from ...networks import DAE
 from ..criteria import (
     BOUND_SCALE_TOLERANCE,
     BOUND_TOLERANCE,
+    LOST_MISFIT,
     MOVED_STANDARD_DEVIATIONS,
     SUSPECT_SIGNAL_SHARE,
     UNIT_GAIN_TOLERANCE,
@@ -33,6 +34,7 @@ def cautions(campaign: Campaign, best: Refit) -> Iterator[str]:
         yield from left_prior(name, value, prior, campaign.machine.unit(name))
         yield from _at_bound(name, value, prior, _why_at_bound(name, best))
     yield from _own_cautions(campaign, best)
+    yield from _lost(campaign, best)
     yield from _omissions(campaign)
 
 
@@ -45,6 +47,20 @@ def _omissions(campaign: Campaign) -> Iterator[str]:
     spans = ", ".join(f"{seconds:.3g} s of {name}" for seconds, name in omitted if seconds)
     if spans:
         yield f"all motion stands still in {spans}: not compared, as dry friction may hold any force there"
+
+
+def _lost(campaign: Campaign, best: Refit) -> Iterator[str]:
+    """Yield which training records a model with effects is lost in, if it follows others."""
+    lost = [
+        f"{experiment.name} ({missed:.3g} times its noise)"
+        for experiment, missed in zip(campaign.training, best.trained, strict=True)
+        if missed > LOST_MISFIT
+    ]
+    if best.effects and lost and min(best.trained) < LOST_MISFIT:
+        yield (
+            f"the model follows other training records, but not {', '.join(lost)}: either its run falls to "
+            "another side there than the machine did, or something happened there that did not elsewhere"
+        )
 
 
 def _own_cautions(campaign: Campaign, best: Refit) -> Iterator[str]:

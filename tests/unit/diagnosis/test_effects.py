@@ -50,14 +50,19 @@ def test_sites_of_an_inerter_are_named_by_the_deepest_part() -> None:
     assert not any("actuator" in path or "frame" in path for path in found)
 
 
-def line_of(**between: ia.Component) -> dict[str, tuple[str, ...]]:
-    """Return, by site, what is in one line with it, of parts in a row from a wall to a mass."""
+def row_of(**between: ia.Component) -> list[Site]:
+    """Return the sites of parts in a row from a wall to a mass."""
     net = ia.Network("row", wall=ia.Fixed(), mass=ia.Mass(m=1.0), **between)
     ports = [net.wall.flange, *(p for one in between.values() for p in (one.flange_a, one.flange_b))]
     ports.append(net.mass.flange)
     for one, other in zip(ports[::2], ports[1::2], strict=True):
         net.connect(one, other)
-    return {site.path: site.line for site in sites_of(net)}
+    return sites_of(net)
+
+
+def line_of(**between: ia.Component) -> dict[str, tuple[str, ...]]:
+    """Return, by site, what is in one line with it, of such a row."""
+    return {site.path: site.line for site in row_of(**between)}
 
 
 def test_what_bears_one_force_is_in_one_line() -> None:
@@ -65,6 +70,19 @@ def test_what_bears_one_force_is_in_one_line() -> None:
     assert line_of(strut=strut, inerter=inerter) == {"strut": ("inerter",), "inerter": ("strut",), "mass": ()}
     three = line_of(one=ia.Spring(k=1.0), two=ia.Damper(d=1.0), last=ia.Inerter(b=1.0))
     assert three["two"] == ("last", "one")
+
+
+def test_a_site_yields_where_a_part_that_bears_its_force_has_a_stiffness() -> None:
+    sprung = {site.path: site.yields for site in row_of(strut=ia.Spring(k=1e3), inerter=ia.Inerter(b=2.0))}
+    assert sprung == {"strut": True, "inerter": True, "mass": False}
+    oil, loose = ia.Damper(d=1.0), ia.SpringDamper(k=0.0, d=1.0)
+    assert not any(site.yields for site in row_of(oil=oil, loose=loose, inerter=ia.Inerter(b=2.0)))
+    screw = {site.path: site.yields for site in sites_of(rig())}
+    assert screw["inerter.screw.contact"]
+    assert screw["inerter.screw"]
+    assert not screw["inerter.flywheel"]
+    flanks = effect_of("elastic_backlash")
+    assert [site.path for site in sites_of(rig()) if flanks.may_act(site) and site.yields] == []
 
 
 def test_what_a_body_or_a_sensor_parts_is_in_no_line() -> None:

@@ -4,12 +4,13 @@ from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.model_comparison import Refit
-from inertance.diagnosis.search.round import Round, _reserve, leading, same_motion
+from inertance.diagnosis.search.round import Round, _reserve, _richer, leading, same_motion
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.diagnosis.verdict.all_records import are_one_delay
 from inertance.diagnosis.verdict.decide import _class
@@ -57,6 +58,29 @@ def test_what_leads_where_parameters_were_given_is_tried_if_much_is_left() -> No
     early = [across("rail", 1, 5000.0), across("screw", 1, 4000.0), across("thread", 1, 10.0)]
     assert [c.site.path for c in _reserve(tried, early, tried, False)] == ["rail"]
     assert [c.site.path for c in _reserve(tried, early, tried, True)] == ["rail", "screw"]
+
+
+def rubbing(kind: str, path: str = "rail", cost: float = 0.0, misfit: float = 1.0) -> tuple[Candidate, Refit]:
+    """Return a friction as it is screened, and a fit of it."""
+    effect, site = effect_of(kind), across(path, 2, 900.0).site
+    values = {quantity.name: 1.0 for quantity in effect.quantities["translational"]}
+    candidate = Candidate(effect, site, values, 900.0, 1.0, {})
+    made = replace(fitted(candidate), cost=cost, test=[{"x": np.full(100, misfit)}], stretches=[2])
+    return candidate, replace(made, independent=100.0)
+
+
+def test_what_generalises_the_nearest_or_its_special_case_is_fitted_though_it_promises_less() -> None:
+    coulomb, dry = rubbing("coulomb_friction", cost=60.0)
+    creeping, nearest = rubbing("presliding_friction", cost=50.0, misfit=1.04)
+    leaning, _ = rubbing("asymmetric_friction")
+    elsewhere, _ = rubbing("asymmetric_friction", "screw")
+    candidates = [creeping, coulomb, elsewhere, leaning]
+    done = Round(Refit({}, (), [], [], 0.0), candidates, [dry, nearest])
+    assert _richer(done, candidates) == [leaning]
+    done.failed[leaning.label] = "it cannot be run"
+    assert _richer(done, candidates) == []
+    noise = Round(done.base, candidates, [dry, rubbing("presliding_friction", cost=50.0, misfit=1.02)[1]])
+    assert _richer(noise, candidates) == []
 
 
 def test_a_part_gives_way_to_the_whole_that_moves_alike() -> None:
