@@ -68,6 +68,7 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     _fit(study, rounds[-1], candidates, rounds[0], early, known=known)
     if rounds[-1].fitted:
         _fit(study, rounds[-1], _richer(rounds[-1], candidates), rounds[0], None, known=known)
+        _fit_elsewhere(study, rounds[-1])
         _follow(study, rounds[-1].fitted)
     return rounds[-1]
 
@@ -86,6 +87,27 @@ def _richer(done: Round, candidates: Sequence[Candidate]) -> list[Candidate]:
     known = {placed.label for placed in last} | done.failed.keys()
     richer = (c for c in candidates if c.label not in known and any(c.generalises(p) for p in kin))
     return [*richer][: criteria.RESERVES_PER_ROUND]
+
+
+def _fit_elsewhere(study: Study, done: Round) -> None:
+    """Fit the nearest effect at other sites once more, where parameters that ran away led fits of it astray.
+
+    They go on from the parameters of the nearest model.
+    """
+    nearest = min(done.fitted, key=lambda model: model.cost)
+    if study.late() or not _ran_away(study.campaign, done.base):
+        return
+    kind, screened = nearest.effects[-1].effect.kind, {c.label: c.values for c in done.candidates}
+    for model in [*done.fitted]:
+        placed = model.effects[-1]
+        if model is nearest or placed.effect.kind != kind or not _ran_away(study.campaign, model):
+            continue
+        study.tell(f"fitting {placed.label} from where {nearest.labels[-1]} led")
+        values = [placed.values, screened.get(placed.label, placed.values)]
+        fit = Fit(placed, done.base, [(nearest.parameters, v) for v in values], nearest.cost)
+        found = Crew(study).begin(fit)()
+        if isinstance(found, Refit):
+            done.keep(found)
 
 
 def _follow(study: Study, fitted: list[Refit]) -> None:

@@ -9,8 +9,9 @@ import pytest
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
+from inertance.diagnosis.search.crew import Fit
 from inertance.diagnosis.search.model_comparison import Refit
-from inertance.diagnosis.search.round import Round, _reserve, _richer, leading, same_motion
+from inertance.diagnosis.search.round import Round, _fit_elsewhere, _reserve, _richer, leading, same_motion
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.diagnosis.verdict.all_records import are_one_delay
 from inertance.diagnosis.verdict.decide import _class
@@ -81,6 +82,40 @@ def test_what_generalises_the_nearest_or_its_special_case_is_fitted_though_it_pr
     assert _richer(done, candidates) == []
     noise = Round(done.base, candidates, [dry, rubbing("presliding_friction", cost=50.0, misfit=1.02)[1]])
     assert _richer(noise, candidates) == []
+
+
+def test_an_effect_is_fitted_elsewhere_from_where_the_nearest_led_if_parameters_ran_away(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    kept, gone = {"shaft.c": 1.0}, {"shaft.c": 9.0}
+    candidates = [across("motor", 2, 900.0), across("load", 2, 800.0), across("rail", 2, 700.0)]
+    costs, led = (50.0, 90.0, 80.0), (kept, gone, kept)
+    models = [
+        replace(fitted(c), cost=cost, parameters=parameters)
+        for c, cost, parameters in zip(candidates, costs, led, strict=True)
+    ]
+    made: list[Fit] = []
+
+    class Here:
+        def __init__(self, study: Any) -> None:
+            pass
+
+        def begin(self, fit: Fit) -> Any:
+            made.append(fit)
+            return lambda: replace(models[1], cost=40.0, parameters=kept)
+
+    monkeypatch.setattr("inertance.diagnosis.search.round.Crew", Here)
+    priors = {"shaft.c": SimpleNamespace(moved=lambda value: value - 1.0)}
+    campaign = SimpleNamespace(priors=priors)
+    study: Any = SimpleNamespace(late=lambda: False, tell=lambda line: None, campaign=campaign)
+    stayed = Round(Refit(kept, (), [], [], 0.0), candidates, [*models])
+    _fit_elsewhere(study, stayed)
+    assert made == []
+    astray = Round(Refit(gone, (), [], [], 0.0), candidates, [*models])
+    _fit_elsewhere(study, astray)
+    assert [fit.placed.label for fit in made] == ["linear_stiffness at load"]
+    assert all(parameters == kept for parameters, _ in made[0].starts)
+    assert [model.cost for model in astray.fitted] == [50.0, 40.0, 80.0]
 
 
 def test_a_part_gives_way_to_the_whole_that_moves_alike() -> None:
