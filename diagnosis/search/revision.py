@@ -11,9 +11,10 @@ from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .choice import is_worth_exchanging, is_worth_it, simplest
+from .contenders import leading
 from .crew import Fit
 from .model_comparison import Refit, best_of, clearness
-from .round import Round, leading
+from .round import Round
 from .score_test import Candidate, screen
 from .tried import Tried
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from math import inf
@@ -13,6 +13,7 @@ from ...identification import Campaign
 from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
+from .contenders import leading, promising, ready, reserve
 from .crew import LATE, Crew, Fit, Outcome
 from .followed import fitted_to_followed
 from .joint_fit import JointFit
@@ -156,15 +157,15 @@ def _fit(
     hides = early is not None and _hides(study.campaign, base, candidates)
     under_way = deque[tuple[Candidate, Outcome]]()
     while under_way or (waiting and not study.late()):
-        ready = _ready(waiting, [candidate for candidate, _ in under_way])
-        if ready is not None and len(under_way) < criteria.FITS_UNDER_WAY and not study.late():
-            waiting.remove(ready)
-            tried.append(ready)
-            fit = Fit.of(ready, base, fitted, (known or {}).get(ready.label))
+        chosen = ready(waiting, [candidate for candidate, _ in under_way])
+        if chosen is not None and len(under_way) < criteria.FITS_UNDER_WAY and not study.late():
+            waiting.remove(chosen)
+            tried.append(chosen)
+            fit = Fit.of(chosen, base, fitted, (known or {}).get(chosen.label))
             if why := needless(study, fit.placed, base, fitted) or only_bends(fit.placed, base, first):
-                failed[ready.label] = why
+                failed[chosen.label] = why
             else:
-                under_way.append((ready, crew.begin(fit)))
+                under_way.append((chosen, crew.begin(fit)))
             continue
         candidate, outcome = under_way.popleft()
         found = outcome()
@@ -174,7 +175,7 @@ def _fit(
         else:
             done.keep(found)
             kept = max(kept, min(candidate.gain, base.cost - found.cost))
-        waiting = _promising(waiting, kept, fitted)
+        waiting = promising(waiting, kept, fitted)
         if hides and early is not None and len(tried) - len(under_way) >= criteria.RESERVES_PER_ROUND:
             hides = False
             if _much_is_left(study.campaign, (base, *fitted), base):
@@ -188,10 +189,10 @@ def _fit(
                 study.tell("much is left: screening where the parameters were given")
                 hidden, done.unscreened = early()
                 overlooked = hidden
-            waiting, early = _reserve(candidates, overlooked, tried, _ran_away(study.campaign, base)), None
+            waiting, early = reserve(candidates, overlooked, tried, _ran_away(study.campaign, base)), None
         elif over and early is not None and _ran_away(study.campaign, best_of((base, *fitted))):
             study.tell("what fits best takes parameters far off: trying what is in series")
-            waiting, early = _reserve(candidates, (), tried, True), None
+            waiting, early = reserve(candidates, (), tried, True), None
     failed.update((c.label, LATE) for c in waiting)
     screened = {c.label for c in candidates}
     done.candidates.extend(c for c in hidden if c.label not in screened)
@@ -274,82 +275,3 @@ def _much_is_left(campaign: Campaign, models: Sequence[Refit], base: Refit) -> b
     best = min(models, key=lambda model: model.misfit)
     least = criteria.HIDDEN_RESIDUAL_SHARE if _ran_away(campaign, best) else criteria.NEARLY_ALL_LEFT
     return best.misfit > criteria.COLOURED_MISFIT and unexplained(best, base) > least
-
-
-def _promising(waiting: Sequence[Candidate], kept: float, fitted: Sequence[Refit]) -> list[Candidate]:
-    """Return those that may be best, by the best promise that was kept, and their special cases.
-
-    Screening underrates what is in series, and what generalises the best fit so far by a shape of its own.
-    """
-    least = criteria.HOPELESS_GAIN_RATIO * kept
-    best = min(fitted, key=lambda model: model.cost, default=None)
-    good = [
-        c
-        for c in waiting
-        if (c.effect.place == "series" and not c.effect.plain)
-        or c.gain > least
-        or (best and c.generalises(best.effects[-1]))
-    ]
-    return [c for c in waiting if c in good or any(other.generalises(c) for other in good)]
-
-
-def _ready(waiting: Sequence[Candidate], under_way: Sequence[Candidate]) -> Candidate | None:
-    """Return the first candidate that does not start from what a fit to come or under way will give."""
-    first = (c for c in waiting if not any(c.generalises(other) for other in (*under_way, *waiting)))
-    return next(first, None)
-
-
-def leading(candidates: Sequence[Candidate], found: Collection[str]) -> list[Candidate]:
-    """Return the candidates worth a fit, one for each motion and kind, whose site is the same for all kinds.
-
-    What was found, by its label, is not looked for again; special cases go before what generalises them.
-    """
-    chosen: list[Candidate] = []
-    for candidate in candidates:
-        if candidate.gain < criteria.LEAST_CHI_SQUARED_GAIN or len(chosen) >= criteria.CONTENDERS_PER_ROUND:
-            break
-        if candidate.label in found:
-            continue
-        alike = next((n for n, other in enumerate(chosen) if same_motion(candidate, other)), None)
-        if alike is None:
-            chosen.append(candidate)
-        else:
-            chosen[alike] = _named(chosen[alike], candidate)
-    special = [c for c in candidates if c.label not in found]
-    ordered = [one for c in chosen for one in (*(p for p in special if c.generalises(p)), c)]
-    return list(dict.fromkeys(ordered))
-
-
-def _named(one: Candidate, other: Candidate) -> Candidate:
-    """Return of two that are one motion the whole rather than its part, or whose name says most."""
-    if one.site.holds(other.site) or other.site.holds(one.site):
-        return one if one.site.holds(other.site) else other
-    return max(one, other, key=lambda c: (c.site.rank, c.site.path))
-
-
-def _reserve(
-    candidates: Sequence[Candidate], early: Sequence[Candidate], tried: Sequence[Candidate], away: bool
-) -> list[Candidate]:
-    """Return what may have been overlooked: effects in series, and those that a large one hid.
-
-    Parameters that were fitted without a large effect go far off, and there it looks like another: what was
-    screened `early`, where they were given, is fitted from there, if they went far `away` once more.
-    """
-    worth = (c for c in candidates if c.effect.place == "series" and c.gain > criteria.LEAST_CHI_SQUARED_GAIN)
-    series = [c for c in worth if not any(c is other or same_motion(c, other) for other in tried)]
-    labels = set[str]() if away else {c.label for c in tried}
-    hidden = [c for c in leading(early, ()) if c.label not in labels]
-    return [*series[: criteria.RESERVES_PER_ROUND], *hidden[: criteria.RESERVES_PER_ROUND]]
-
-
-def same_motion(one: Candidate, other: Candidate) -> bool:
-    """Tell whether two candidates are one effect seen from two sites of one motion; channels have none.
-
-    What is in series is the same anywhere in a line, in which all bears one force. A friction that is loaded
-    by what it leaves is none that is loaded by what comes, however small both are.
-    """
-    moved = "channel" not in one.site.places and other.gain > 0
-    close = abs(one.gain - other.gain) <= criteria.SAME_MOTION_GAIN_TOLERANCE * other.gain
-    in_line = one.effect.place == "series" and one.site.path in other.site.line
-    pressed = bool(one.site.load) == bool(other.site.load)
-    return moved and one.effect.kind == other.effect.kind and (close or in_line) and pressed

@@ -22,9 +22,10 @@ from ..criteria import (
 )
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
+from ..search.contenders import same_motion
 from ..search.model_comparison import Refit, are_alike, clearness, gap_taken
 from ..search.revision import Rivals
-from ..search.round import Round, same_motion
+from ..search.round import Round
 from .all_records import alike_by_all, are_one_delay
 from .cautions import cautions, led_astray, suspicions
 from .counterfactual import Foretold, counterfactuals, parting, told_apart

@@ -9,9 +9,10 @@ import pytest
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
+from inertance.diagnosis.search.contenders import leading, reserve, same_motion
 from inertance.diagnosis.search.crew import Fit
 from inertance.diagnosis.search.model_comparison import Refit
-from inertance.diagnosis.search.round import Round, _fit_elsewhere, _reserve, _richer, leading, same_motion
+from inertance.diagnosis.search.round import Round, _fit_elsewhere, _richer
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.diagnosis.verdict.all_records import are_one_delay
 from inertance.diagnosis.verdict.decide import _class
@@ -57,8 +58,8 @@ def test_each_channel_is_fitted() -> None:
 def test_what_leads_where_parameters_were_given_is_tried_if_much_is_left() -> None:
     tried = [across("screw", 1, 900.0)]
     early = [across("rail", 1, 5000.0), across("screw", 1, 4000.0), across("thread", 1, 10.0)]
-    assert [c.site.path for c in _reserve(tried, early, tried, False)] == ["rail"]
-    assert [c.site.path for c in _reserve(tried, early, tried, True)] == ["rail", "screw"]
+    assert [c.site.path for c in reserve(tried, early, tried, False)] == ["rail"]
+    assert [c.site.path for c in reserve(tried, early, tried, True)] == ["rail", "screw"]
 
 
 def rubbing(kind: str, path: str = "rail", cost: float = 0.0, misfit: float = 1.0) -> tuple[Candidate, Refit]:

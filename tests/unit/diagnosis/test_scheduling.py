@@ -18,13 +18,13 @@ from inertance.diagnosis.models.study import Study, study_of
 from inertance.diagnosis.search import crew as fitters
 from inertance.diagnosis.search import joint_fit, record_start, score_test
 from inertance.diagnosis.search import round as searched
+from inertance.diagnosis.search.contenders import ready
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.needless import needless
 from inertance.diagnosis.search.record_start import settled
 from inertance.diagnosis.search.revision import plainer
 from inertance.diagnosis.search.reweighed import is_slight, reweighed
-from inertance.diagnosis.search.round import _ready
 from inertance.diagnosis.search.score_test import Candidate
 from inertance.diagnosis.search.tried import Tried
 from inertance.identification import Accuracy, Campaign, Record
@@ -119,10 +119,10 @@ def test_a_general_case_waits_for_its_special_one_and_nothing_else_waits() -> No
     names = ("coulomb_friction", "stribeck_friction", "viscous_damping")
     site = rail("rail").site
     plain, rich, other = (Candidate(effect_of(name), site, {}, 1.0, 1.0, {}) for name in names)
-    assert _ready([plain, rich, other], []) is plain
-    assert _ready([rich, other], [plain]) is other
-    assert _ready([rich], [plain]) is None
-    assert _ready([rich], []) is rich
+    assert ready([plain, rich, other], []) is plain
+    assert ready([rich, other], [plain]) is other
+    assert ready([rich], [plain]) is None
+    assert ready([rich], []) is rich
 
 
 def test_a_general_case_of_what_leaves_noise_only_is_not_fitted(cart: Any) -> None:
