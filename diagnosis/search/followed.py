@@ -22,8 +22,8 @@ def fitted_to_followed(study: Study, model: Refit) -> Refit:
     Where a part may come to rest in one of several places, a run falls to another side than the machine did
     at some instant. What it misses until it comes back pulls all values from where they are right, and no
     slope tells of the instant. Values that follow the other stretches are right: those are fitted in which
-    least is missed, half of all at least, until no more are followed. A model that follows less than half is
-    taken if it misses less of all.
+    least is missed, half of all at least, until no more are followed. One that leaves more than noise of
+    these is taken if it misses less of all.
 
     Source: P. J. Rousseeuw, Least Median of Squares Regression, Journal of the American Statistical
     Association 79 (1984) 871-880, whose trimmed squares are here those of stretches.
@@ -39,7 +39,7 @@ def fitted_to_followed(study: Study, model: Refit) -> Refit:
         if found is None or _squares(now, most) > criteria.FOLLOWED_DROP_RATIO * _squares(missed, most):
             break
         best, missed = found, now
-    follows = float(np.median(np.concatenate(missed))) <= criteria.LOST_MISFIT
+    follows = float(np.median(np.concatenate(missed))) <= criteria.COLOURED_MISFIT
     return best if follows or best.cost < model.cost else model
 
 

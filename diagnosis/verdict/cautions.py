@@ -12,6 +12,7 @@ from ...networks import DAE
 from ..criteria import (
     BOUND_SCALE_TOLERANCE,
     BOUND_TOLERANCE,
+    COLOURED_MISFIT,
     LOST_MISFIT,
     MOVED_STANDARD_DEVIATIONS,
     SUSPECT_SIGNAL_SHARE,
@@ -56,7 +57,7 @@ def _lost(campaign: Campaign, best: Refit) -> Iterator[str]:
         for experiment, missed in zip(campaign.training, best.trained, strict=True)
         if missed > LOST_MISFIT
     ]
-    if best.effects and lost and min(best.trained) < LOST_MISFIT:
+    if best.effects and lost and min(best.trained) < COLOURED_MISFIT:
         yield (
             f"the model follows other training records, but not {', '.join(lost)}: either its run falls to "
             "another side there than the machine did, or something happened there that did not elsewhere"
