@@ -30,7 +30,7 @@ from .search.recast import Recast
 from .search.revision import Rivals, plainer, pruned, revised
 from .search.reweighed import is_slight, reweighed
 from .search.ringing import behind_low_pass
-from .search.round import Round, go_on, run_round
+from .search.round import Round, follow, go_on, run_round
 from .search.tried import Tried, without
 from .verdict.beyond import beyond_the_list
 from .verdict.decide import certain_part, decided, explains
@@ -102,6 +102,7 @@ def diagnose(
                     best, rivals, before, rounds = base, Rivals(), rounds, []
                     done = run_round(study, best, rounds, before)
                     done.keep(other.model)
+                follow(study, done)
                 chosen = taken(done, base) or _chosen_along(study, done, base)
             if chosen is None and not ahead and rounds and not explains(best, base, study):
                 ahead = True

@@ -70,7 +70,6 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
     if rounds[-1].fitted:
         _fit(study, rounds[-1], _richer(rounds[-1], candidates), rounds[0], None, known=known)
         _fit_elsewhere(study, rounds[-1])
-        _follow(study, rounds[-1].fitted)
     return rounds[-1]
 
 
@@ -111,10 +110,11 @@ def _fit_elsewhere(study: Study, done: Round) -> None:
             done.keep(found)
 
 
-def _follow(study: Study, fitted: list[Refit]) -> None:
-    """Fit the model nearest to the training records to what it follows, if it is lost in stretches."""
-    nearest = min(range(len(fitted)), key=lambda n: fitted[n].cost)
-    fitted[nearest] = fitted_to_followed(study, fitted[nearest])
+def follow(study: Study, done: Round) -> None:
+    """Fit the model of a round nearest to the training records to what it follows of them."""
+    if done.fitted:
+        nearest = min(range(len(done.fitted)), key=lambda n: done.fitted[n].cost)
+        done.fitted[nearest] = fitted_to_followed(study, done.fitted[nearest])
 
 
 def nearest_in_series(done: Round) -> Refit | None:
