@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -23,14 +22,10 @@ def moving(campaign: Campaign) -> Campaign:
         return campaign
     count, end = len(campaign.training), len(campaign.experiments)
     left = [
-        experiment if found.all() else replace(experiment, omitted=_either(experiment.omitted, found))
+        experiment if found.all() else experiment.omitting(found)
         for experiment, found in zip(records, still, strict=True)
     ]
     return campaign.with_records(left[:count], left[count:end], left[end:])
-
-
-def _either(omitted: Flags | None, found: Flags) -> Flags:
-    return found if omitted is None else np.logical_or(omitted, found)
 
 
 def standing(inputs: Sequence[Array], rate: float) -> Flags:

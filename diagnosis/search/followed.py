@@ -13,7 +13,7 @@ from .. import criteria
 from ..models.study import Study
 from .crew import refused
 from .joint_fit import JointFit
-from .model_comparison import Refit, stretches
+from .model_comparison import Refit, rms, stretches
 
 
 def fitted_to_followed(study: Study, model: Refit) -> Refit:
@@ -47,13 +47,9 @@ def _by_stretches(study: Study, model: Refit) -> list[Array]:
     """Return what a model misses of stretches of each training record, where that is most [noise]."""
     counts = stretches(study.campaign.training)
     return [
-        np.max([[_rms(part) for part in np.array_split(r, count)] for r in left.values()], axis=0)
+        np.max([[rms([part]) for part in np.array_split(r, count)] for r in left.values()], axis=0)
         for left, count in zip(model.train, counts, strict=True)
     ]
-
-
-def _rms(values: Array) -> float:
-    return float(np.sqrt(np.mean(values**2)))
 
 
 def _squares(missed: list[Array], most: float) -> float:
@@ -82,4 +78,4 @@ def _without(experiment: Experiment, followed: Flags) -> Experiment:
     """Return a record of which only some stretches are compared."""
     parts = np.array_split(np.zeros(len(experiment.compared.time), dtype=bool), len(followed))
     lost = np.concatenate([part | (not kept) for part, kept in zip(parts, followed, strict=True)])
-    return replace(experiment, omitted=lost if experiment.omitted is None else lost | experiment.omitted)
+    return experiment.omitting(lost)

@@ -68,7 +68,7 @@ class Refit:
     @cached_property
     def trained(self) -> list[float]:
         """What it misses of each training record, in the channel where that is most [noise]."""
-        return [max(float(np.sqrt(np.mean(r**2))) for r in left.values()) for left in self.train]
+        return [max(rms([r]) for r in left.values()) for left in self.train]
 
     @cached_property
     def blocks(self) -> Array:

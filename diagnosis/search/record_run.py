@@ -52,9 +52,7 @@ class RecordRun:
         """The same run, of which only what comes soon after the start counts."""
         count = len(self.experiment.compared.time)
         later = np.arange(count) >= max(OPENING_SAMPLES, OPENING_SHARE * count)
-        omitted = self.experiment.omitted
-        early = replace(self.experiment, omitted=later if omitted is None else omitted | later)
-        return replace(self, experiment=early)
+        return replace(self, experiment=self.experiment.omitting(later))
 
     @cached_property
     def missed(self) -> Array:

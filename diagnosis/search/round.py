@@ -38,6 +38,11 @@ class Round:
     failed: dict[str, str] = field(default_factory=dict)
     unscreened: str = ""
 
+    @property
+    def nearest(self) -> Refit:
+        """Of what was fitted, the model nearest to the training records."""
+        return min(self.fitted, key=lambda model: model.cost)
+
     def keep(self, found: Refit) -> None:
         """Add a fit; of two that end elsewhere from other starts, the better one stays."""
         label = found.effects[-1].label
@@ -78,7 +83,7 @@ def _richer(done: Round, candidates: Sequence[Candidate]) -> list[Candidate]:
 
     Or a special case of it: that promises as much as what a fit has shown. None if nothing but noise is left.
     """
-    nearest = min(done.fitted, key=lambda model: model.cost)
+    nearest = done.nearest
     if nearest.misfit <= criteria.NOISE_MISFIT:
         return []
     last = [model.effects[-1] for model in done.fitted]
@@ -94,18 +99,19 @@ def _fit_elsewhere(study: Study, done: Round) -> None:
 
     They go on from the parameters of the nearest model.
     """
-    nearest = min(done.fitted, key=lambda model: model.cost)
     if study.late() or not _ran_away(study.campaign, done.base):
         return
+    nearest, crew, under_way = done.nearest, Crew(study), list[Outcome]()
     kind, screened = nearest.effects[-1].effect.kind, {c.label: c.values for c in done.candidates}
-    for model in [*done.fitted]:
+    for model in done.fitted:
         placed = model.effects[-1]
         if model is nearest or placed.effect.kind != kind or not _ran_away(study.campaign, model):
             continue
         study.tell(f"fitting {placed.label} from where {nearest.labels[-1]} led")
         values = [placed.values, screened.get(placed.label, placed.values)]
         fit = Fit(placed, done.base, [(nearest.parameters, v) for v in values], nearest.cost)
-        found = Crew(study).begin(fit)()
+        under_way.append(crew.begin(fit))
+    for found in [outcome() for outcome in under_way]:
         if isinstance(found, Refit):
             done.keep(found)
 
@@ -113,8 +119,8 @@ def _fit_elsewhere(study: Study, done: Round) -> None:
 def follow(study: Study, done: Round) -> None:
     """Fit the model of a round nearest to the training records to what it follows of them."""
     if done.fitted:
-        nearest = min(range(len(done.fitted)), key=lambda n: done.fitted[n].cost)
-        done.fitted[nearest] = fitted_to_followed(study, done.fitted[nearest])
+        nearest = done.nearest
+        done.fitted[done.fitted.index(nearest)] = fitted_to_followed(study, nearest)
 
 
 def nearest_in_series(done: Round) -> Refit | None:

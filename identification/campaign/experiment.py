@@ -101,6 +101,10 @@ class Experiment:
         """Return the part up to one of the instants at which outputs are compared, begun as the whole."""
         return self._between(0, end)
 
+    def omitting(self, more: Flags) -> Experiment:
+        """Return it with more of the instants omitted at which outputs are compared."""
+        return replace(self, omitted=more if self.omitted is None else self.omitted | more)
+
     def _between(self, begin: int, end: int) -> Experiment:
         window = float(self.compared.time[begin]), float(self.compared.time[end])
         omitted = None if self.omitted is None else self.omitted[begin : end + 1]
