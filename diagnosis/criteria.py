@@ -50,6 +50,7 @@ LEAST_CHI_SQUARED_GAIN = 40.0  # [chi squared] below which no effect is worth a 
 CONTENDERS_PER_ROUND = 12  # [1] fitted in each round; effort
 CONTENDERS_BESIDE_HELD = 6  # [1] fitted from where parameters that ran away were given; effort
 SCREENED_SHARE = 0.6  # [what is missed] that screening must foresee, or parameters hide it; blind
+EXCESS_DEVIATIONS = 2.0  # [sd of chi squared] of what is left, to try richer laws; theory: 2 % of right ones
 RESERVES_PER_ROUND = 3  # [1] of either kind that are fitted besides if much is left; effort
 LOST_MISFIT = 2.0  # [noise] rms residual of a channel above which a model is lost in a stretch; effort
 FOLLOWED_DROP_RATIO = 0.95  # [1] of what is missed squared, above which no more is followed; effort
@@ -73,6 +74,9 @@ TRIED_START_DROP_RATIO = 1.0  # [1] the same on the way of a descent, where a li
 FAR_COST_RATIO = 2.0  # [1] of the best known cost, above which a model's starts are not refined; effort
 START_WON_SHARE = 0.1  # [1] of the drop that is asked for, which a step of it wins, or it is the last; effort
 OPENING_SHARE, OPENING_SAMPLES = 0.1, 50  # [record], [1] at least: what tells first where it begins; blind
+OPENING_GROWTH = 2.0  # [1] by which an opening is longer than that which was fitted before; effort
+OPENING_SIZES = 1.0, 3.0, 10.0, 30.0, 100.0  # [size of a start] that are tried in the first of them; effort
+OPENING_STARTS = 3  # [1] of all these from which it is fitted; effort
 HORIZON_STEP = 1e-3  # [scale of the prior] of parameters that moves no output by all its range in time; data
 START_STEPS, START_HALVINGS = 8, 4  # [1] runs of a record to find where it begins, and shorter steps; effort
 

@@ -100,8 +100,7 @@ def diagnose(
                     study, start, base, tried = other.study, other.start, other.base, Tried(other.study)
                     notes.append(other.told)
                     best, rivals, before, rounds = base, Rivals(), rounds, []
-                    done = run_round(study, best, rounds, before)
-                    done.keep(other.model)
+                    done = run_round(study, best, rounds, before, other.model)
                 follow(study, done)
                 chosen = taken(done, base) or _chosen_along(study, done, base)
             if chosen is None and not ahead and rounds and not explains(best, base, study):

@@ -115,6 +115,7 @@ class Effect:
         origin: from where on its site the distance counts, on which its force depends: where it rests.
         grounded: whether it acts from the ground alone, as gravity does, not between two moving parts.
         unsprung: whether it acts only where no part has a stiffness, which would yield itself.
+        rough: whether an error of its values shifts all that follows, as of where parts hit or are held.
         displaces: whether it acts on what stands still, so that a machine rests elsewhere than without it.
         credible: whether values are those of such an effect, and do not only bend its law into another.
         plain: special cases, the nearest first: by kind, what each size is then, over its one size, or over
@@ -139,6 +140,7 @@ class Effect:
     origin: Callable[[Site], float] = field(default=lambda site: site.rest)
     grounded: bool = False
     unsprung: bool = False
+    rough: bool = False
     displaces: bool = False
     credible: Callable[[Values], bool] = field(default=lambda values: True)
     plain: Mapping[str, tuple[float, ...] | tuple[tuple[float, ...], ...]] = field(default_factory=dict)

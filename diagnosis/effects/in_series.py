@@ -129,6 +129,7 @@ register(
         eased=_in_the_gap,
         parameters=_gap,
         step=criteria.CLEARANCE_STEP_RATIO,
+        rough=True,
     )
 )
 register(
@@ -154,6 +155,7 @@ register(
         lambda motion, shape: [*_taken_up(motion, shape), motion.f],
         parameters=_elastic_gap,
         step=criteria.CLEARANCE_STEP_RATIO,
+        rough=True,
         unsprung=True,
         plain={"compliance": ((0.0,), (1.0,)), "backlash": ((1.0,), (0.0,))},
     )

@@ -96,6 +96,7 @@ across(
     lambda motion, shape: _waves(motion, shape, 1),
     shapes=lambda motion: _periods(motion, criteria.RIPPLES_PER_TRAVEL, criteria.RIPPLE_PERIODS),
     origin=lambda site: 0.0,
+    rough=True,
     displaces=True,
 )
 across(
@@ -105,6 +106,7 @@ across(
     lambda motion, shape: _waves(motion, shape, 3),
     shapes=lambda motion: _periods(motion, criteria.HARMONICS_PER_TRAVEL, criteria.HARMONIC_PERIODS),
     origin=lambda site: 0.0,
+    rough=True,
     displaces=True,
     plain={"position_ripple": tuple(map(tuple, np.eye(6, 2).tolist()))},
     credible=_has_waves,

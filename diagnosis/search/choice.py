@@ -66,14 +66,14 @@ def is_worth_it(plain: Refit, richer: Refit) -> bool:
     nothing_left = richer.misfit <= criteria.NOISE_MISFIT and plain.misfit > criteria.COLOURED_MISFIT
     something_left = plain.misfit > criteria.NOISE_MISFIT
     nearly_all = something_left and taken > criteria.SURE_GENERALISATION_SHARE * left
-    clear = nothing_left or nearly_all or _is_told(plain, richer) or is_clear(plain, richer)
+    clear = nothing_left or nearly_all or is_told(plain, richer) or is_clear(plain, richer)
     return taken > criteria.GENERALISATION_SHARE * left and clear
 
 
-def _is_told(plain: Refit, richer: Refit) -> bool:
+def is_told(worse: Refit, better: Refit) -> bool:
     """Tell whether one leaves nothing but noise, and training and test records tell it from the other."""
-    won = plain.cost - richer.cost, float(plain.blocks.sum() - richer.blocks.sum())
-    return richer.misfit <= criteria.NOISE_MISFIT and min(won) > criteria.LEAST_CHI_SQUARED_GAIN
+    won = worse.cost - better.cost, float(worse.blocks.sum() - better.blocks.sum())
+    return better.misfit <= criteria.NOISE_MISFIT and min(won) > criteria.LEAST_CHI_SQUARED_GAIN
 
 
 def is_worth_exchanging(model: Refit, other: Refit) -> bool:

@@ -18,6 +18,7 @@ from ..effects.plausibility import implausible
 from ..models.study import Study, study_of
 from .joint_fit import FitStart, JointFit
 from .model_comparison import Refit
+from .openings import led_by_openings
 from .score_test import Candidate
 
 LATE = "the time that was granted had passed"
@@ -33,6 +34,7 @@ class Fit:
     base: Refit
     starts: Sequence[FitStart]
     known: float  # cost of the best model of the round so far, or of that without the effect
+    anew: bool = False  # whether nobody knows where a fit of it leads
 
     @classmethod
     def of(
@@ -46,7 +48,7 @@ class Fit:
         placed = Hypothesis(candidate.effect, candidate.site, name, candidate.values)
         known = min((model.cost for model in fitted), default=base.cost)
         if before is None:
-            return cls(placed, base, _starts(candidate, fitted), known)
+            return cls(placed, base, _starts(candidate, fitted), known, anew=True)
         ended = before.parameters, before.effects[-1].values
         return cls(placed, base, [ended, (candidate.parameters, candidate.values)], known)
 
@@ -99,7 +101,10 @@ def _made(study: Study, fit: Fit) -> Refit | str:
     try:
         with computing(placed.label):
             effects = [*fit.base.effects, placed]
-            found = JointFit(study, fit.base.parameters, effects, fit.base).fitted(fit.starts, fit.known)
+            rough = placed.effect.rough and fit.anew
+            led = led_by_openings(study, effects, fit.base, fit.starts) if rough else []
+            joint = JointFit(study, fit.base.parameters, effects, fit.base)
+            found = joint.fitted([*fit.starts, *led], fit.known)
     except InertanceError as error:
         return f"its fit ended early: {error.headline}"
     return refused(found.effects[-1], study.campaign) or found

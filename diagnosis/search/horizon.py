@@ -22,7 +22,8 @@ def fitted_to_loudest(study: Study, done: Round) -> Refit | None:
     """Return the best effect in series of a first round, fitted to the loudest training record alone.
 
     Beside that motion a play is least, and runs stay together longest. It is held against all records as it
-    is. None for an FMU, if no such effect came near, or if it cannot be run or be a machine's.
+    is, begun where those of the best effect or of the model without it begin. None for an FMU, if no such
+    effect came near, or if it cannot be run or be a machine's.
     """
     chosen = nearest_in_series(done)
     if chosen is None or isinstance(study, FMUStudy):
@@ -39,8 +40,9 @@ def fitted_to_loudest(study: Study, done: Round) -> Refit | None:
             if fits[-1].cost < criteria.NOISE_MISFIT**2 * loudest.independent or study.late():
                 break
         best = min(fits, key=lambda model: model.cost)
-        joint = JointFit(study, best.parameters, best.effects, chosen)
-        found = joint.seen(joint.start)
+        joints = (JointFit(study, best.parameters, best.effects, near) for near in (chosen, done.base))
+        ways = [joint.seen(joint.start) for joint in joints]
+        found = min(ways, key=lambda way: way.cost + float(way.blocks.sum()))
     except InertanceError:
         return None
     return None if refused(found.effects[-1], study.campaign) else found

@@ -172,6 +172,15 @@ class JointFit:
         blocks = stretches(judged)
         return Refit(fitted, placed, found[:count], found[count:], cost, blocks, independent, starts, own)
 
+    def missed(self, parameters: Mapping[str, float], values: Mapping[str, float]) -> float:
+        """Return the cost with values of the last effect; infinite if the model cannot be run so."""
+        vector = self.vector(parameters, [*(placed.values for placed in self.effects[:-1]), values])
+        try:
+            left, _ = self.stacked(vector, False)
+        except SimulationError:
+            return inf
+        return float(left @ left)
+
     def run_on(self, experiment: Experiment) -> RecordRun:
         """Return the run of a record with the values to start from, and from where it is thought to begin.
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import sqrt
 
 from ...components import Component
 from ...components.language import Option, Parameter, RealInput, fields_of
 from ...identification import Campaign
-from ..criteria import NOISE_MISFIT
+from ..criteria import EXCESS_DEVIATIONS, NOISE_MISFIT
 from ..effects.edits import AddPart
 from ..effects.hypothesis import Hypothesis
 from ..effects.sites import walk
@@ -19,10 +20,16 @@ def needless(study: Study, placed: Hypothesis, base: Refit, fitted: Sequence[Ref
     """Return why an effect need not be fitted on top of a model beside those that are, nothing if it must."""
     for plain in fitted:
         special = plain.effects[-1]
-        if study.noise_is_sure and plain.misfit <= NOISE_MISFIT and placed.generalises(special):
+        if study.noise_is_sure and placed.generalises(special) and leaves_chance(study, plain):
             return f"{special.label}, a special case of it, leaves nothing but noise"
     shared = _shared(study.campaign, placed, base)
     return f"the model has it, and {' and '.join(shared)} were fitted" if shared else ""
+
+
+def leaves_chance(study: Study, model: Refit) -> bool:
+    """Tell whether what a model leaves is noise, and of the training records no more than that by chance."""
+    count = sum(experiment.independent for experiment in study.campaign.training)
+    return model.misfit <= NOISE_MISFIT and model.cost <= count + EXCESS_DEVIATIONS * sqrt(2 * count)
 
 
 def _shared(campaign: Campaign, placed: Hypothesis, base: Refit) -> list[str]:

@@ -18,7 +18,7 @@ from .crew import LATE, Crew, Fit, Outcome
 from .followed import fitted_to_followed
 from .joint_fit import JointFit
 from .model_comparison import Refit, best_of, unexplained
-from .needless import needless
+from .needless import leaves_chance, needless
 from .score_test import Candidate, screen
 
 
@@ -53,10 +53,13 @@ class Round:
             self.fitted[before] = found
 
 
-def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[Round] = ()) -> Round:
+def run_round(
+    study: Study, base: Refit, rounds: list[Round], before: Sequence[Round] = (), found: Refit | None = None
+) -> Round:
     """Screen all effects on top of a model and fit the leading ones; what is known stands in `rounds`.
 
-    What was fitted in rounds `before`, with other noise in mind, goes on from there.
+    What was fitted in rounds `before`, with other noise in mind, goes on from there. Beside a model that was
+    `found` already only what may come near it is fitted.
     """
     told = " on top of what was found" if base.effects else ""
     study.tell(f"screening effects{told}")
@@ -68,23 +71,26 @@ def run_round(study: Study, base: Refit, rounds: list[Round], before: Sequence[R
             raise
         rounds.append(Round(base, [], [], unscreened=error.headline))
         return rounds[-1]
-    rounds.append(Round(base, list(candidates), []))
+    rounds.append(Round(base, list(candidates), [] if found is None else [found]))
     same = (done for done in before if done.base.labels == base.labels)
     known = {model.effects[-1].label: model for done in same for model in done.fitted}
-    _fit(study, rounds[-1], candidates, rounds[0], early, known=known)
+    kept, others = 0.0, candidates
+    if found is not None:
+        kept, others = base.cost - found.cost, [c for c in candidates if c.label != found.labels[-1]]
+    _fit(study, rounds[-1], others, rounds[0], early, known=known, kept=kept)
     if rounds[-1].fitted:
-        _fit(study, rounds[-1], _richer(rounds[-1], candidates), rounds[0], None, known=known)
+        _fit(study, rounds[-1], _richer(study, rounds[-1], candidates), rounds[0], None, known=known)
         _fit_elsewhere(study, rounds[-1])
     return rounds[-1]
 
 
-def _richer(done: Round, candidates: Sequence[Candidate]) -> list[Candidate]:
+def _richer(study: Study, done: Round, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Return what was none of the leading, and generalises the model nearest to the training records.
 
-    Or a special case of it: that promises as much as what a fit has shown. None if nothing but noise is left.
+    Or a special case of it: that promises as much as what a fit has shown. None where only chance is left.
     """
     nearest = done.nearest
-    if nearest.misfit <= criteria.NOISE_MISFIT:
+    if leaves_chance(study, nearest):
         return []
     last = [model.effects[-1] for model in done.fitted]
     named = nearest.effects[-1]
@@ -151,15 +157,16 @@ def _fit(
     early: Callable[[], tuple[list[Candidate], str]] | None,
     near: Refit | None = None,
     known: Mapping[str, Refit] | None = None,
+    kept: float = 0.0,
 ) -> None:
-    """Fit the leading candidates of a round.
+    """Fit the leading candidates of a round, unless they promise far less than what a fit has `kept`.
 
     `early` gives those that are screened where the parameters were given, for when much is left; by label,
     `known` are models from where fits may go on.
     """
     base, fitted, failed = near or done.base, done.fitted, done.failed
-    waiting = leading(candidates, base.labels)
-    crew, tried, kept, hidden = Crew(study), list[Candidate](), 0.0, list[Candidate]()
+    waiting = promising(leading(candidates, base.labels), kept, fitted)
+    crew, tried, hidden = Crew(study), list[Candidate](), list[Candidate]()
     hides = early is not None and _hides(study.campaign, base, candidates)
     under_way = deque[tuple[Candidate, Outcome]]()
     while under_way or (waiting and not study.late()):

@@ -22,6 +22,7 @@ from ..criteria import (
 )
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
+from ..search.choice import is_told
 from ..search.contenders import same_motion
 from ..search.model_comparison import Refit, are_alike, clearness, gap_taken
 from ..search.revision import Rivals
@@ -234,7 +235,8 @@ def _alike(best: Refit, rounds: Sequence[Round], rivals: Rivals, study: Study) -
         if done.base.labels == [placed.label for placed in earlier]:
             models += [f for f in done.fitted if not f.effects[-1].effect.generalises(last.effect.kind)]
     others = [f for f in models if len(f.effects) == len(best.effects) and {*f.labels} != {*best.labels}]
-    alike = [f for f in others if are_alike(f, best) or are_one_delay(study.campaign, f, best)]
+    near = [f for f in others if are_alike(f, best) and not is_told(f, best)]
+    alike = [f for f in others if f in near or are_one_delay(study.campaign, f, best)]
     alike += alike_by_all(study, best, [f for f in others if f not in alike])
     return sorted(alike, key=lambda f: abs(clearness(f, best)))
 

@@ -77,12 +77,15 @@ def test_what_generalises_the_nearest_or_its_special_case_is_fitted_though_it_pr
     leaning, _ = rubbing("asymmetric_friction")
     elsewhere, _ = rubbing("asymmetric_friction", "screw")
     candidates = [creeping, coulomb, elsewhere, leaning]
+    records = [SimpleNamespace(independent=25.0), SimpleNamespace(independent=15.0)]
+    study: Any = SimpleNamespace(campaign=SimpleNamespace(training=records))
     done = Round(Refit({}, (), [], [], 0.0), candidates, [dry, nearest])
-    assert _richer(done, candidates) == [leaning]
+    assert _richer(study, done, candidates) == [leaning]
     done.failed[leaning.label] = "it cannot be run"
-    assert _richer(done, candidates) == []
-    noise = Round(done.base, candidates, [dry, rubbing("presliding_friction", cost=50.0, misfit=1.02)[1]])
-    assert _richer(noise, candidates) == []
+    assert _richer(study, done, candidates) == []
+    for cost, richer in ((57.0, []), (59.0, [leaning])):
+        _, noise = rubbing("presliding_friction", cost=cost, misfit=1.02)
+        assert _richer(study, Round(done.base, candidates, [dry, noise]), candidates) == richer
 
 
 def test_an_effect_is_fitted_elsewhere_from_where_the_nearest_led_if_parameters_ran_away(

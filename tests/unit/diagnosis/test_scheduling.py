@@ -131,6 +131,10 @@ def test_a_general_case_of_what_leaves_noise_only_is_not_fitted(cart: Any) -> No
     base = Refit(given.campaign.start, (), [], [], 0.0)
     told = needless(given, rich, base, [left(rail("guide", f_c=1.0), 1.02)])
     assert told == "coulomb_friction at guide, a special case of it, leaves nothing but noise"
+    count = sum(experiment.independent for experiment in given.campaign.training)
+    by_chance = replace(left(rail("guide", f_c=1.0), 1.02), cost=count + 1.9 * np.sqrt(2 * count))
+    assert needless(given, rich, base, [by_chance]) == told
+    assert not needless(given, rich, base, [replace(by_chance, cost=count + 2.1 * np.sqrt(2 * count))])
     assert not needless(given, rich, base, [left(rail("guide", f_c=1.0), 1.2)])
     assert not needless(given, rich, base, [left(rail("spring", f_c=1.0), 1.0)])
 
