@@ -102,7 +102,7 @@ def _made(study: Study, fit: Fit) -> Refit | str:
         with computing(placed.label):
             effects = [*fit.base.effects, placed]
             rough = placed.effect.rough and fit.anew
-            led = led_by_openings(study, effects, fit.base, fit.starts) if rough else []
+            led = led_by_openings(study, effects, fit.base, fit.starts) if rough else ()
             joint = JointFit(study, fit.base.parameters, effects, fit.base)
             found = joint.fitted([*fit.starts, *led], fit.known)
     except InertanceError as error:

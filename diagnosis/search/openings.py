@@ -15,7 +15,7 @@ from .model_comparison import Refit, rms
 
 def led_by_openings(
     study: Study, effects: Sequence[Hypothesis], base: Refit, starts: Sequence[FitStart]
-) -> list[FitStart]:
+) -> Sequence[FitStart]:
     """Return where openings of the training records lead that grow, as a start; none if nothing meets them.
 
     Where parts hit one another, or may come to rest in one of several places, an error of a value shifts all
@@ -25,24 +25,25 @@ def led_by_openings(
     Source: H. U. Voss, J. Timmer, J. Kurths, Nonlinear dynamical system identification from uncertain and
     indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933.
     """
-    of_base, led = (base.parameters, effects, base), list[FitStart]()
+    led: Sequence[FitStart] = ()
     for length in _lengths(study, base):
         if study.late():
             break
-        openings = [e.until(min(length, len(e.compared.time) - 1)) for e in study.campaign.training]
-        joint = JointFit(replace(study, campaign=study.campaign.with_records(openings, [])), *of_base)
         try:
+            joint = JointFit(_opening(study, length), base.parameters, effects, base)
             found = joint.fitted(led or _nearest(joint, starts))
         except InertanceError:
             break
         if found.misfit > criteria.LOST_MISFIT:
             break
-        led = [_led_to(found)]
+        led = [(found.parameters, found.effects[-1].values)]
     return led
 
 
-def _led_to(model: Refit) -> FitStart:
-    return model.parameters, model.effects[-1].values
+def _opening(study: Study, length: int) -> Study:
+    """Return a study of the first samples of its training records alone."""
+    openings = [e.until(min(length, len(e.compared.time) - 1)) for e in study.campaign.training]
+    return replace(study, campaign=study.campaign.with_records(openings, []))
 
 
 def _nearest(joint: JointFit, starts: Sequence[FitStart]) -> list[FitStart]:

@@ -101,5 +101,5 @@ def test_no_opening_is_fitted_where_the_model_without_the_effect_follows_or_no_t
     right = JointFit(study, base.parameters, [placed], base).fitted(
         led_by_openings(study, [placed], base, starts)
     )
-    assert led_by_openings(study, [placed], replace(base, train=right.train), starts) == []
-    assert led_by_openings(replace(study, deadline=-inf), [placed], base, starts) == []
+    assert led_by_openings(study, [placed], replace(base, train=right.train), starts) == ()
+    assert led_by_openings(replace(study, deadline=-inf), [placed], base, starts) == ()
