@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from ...components import InertanceError
+from ...identification import Experiment
 from .. import criteria
 from ..effects.hypothesis import Hypothesis
+from ..models.prescribed import standing
 from ..models.study import Study
 from .joint_fit import FitStart, JointFit
 from .model_comparison import Refit, rms
@@ -26,11 +30,11 @@ def led_by_openings(
     indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933.
     """
     led: Sequence[FitStart] = ()
-    for length in _lengths(study, base):
+    for opening in _openings(study, base):
         if study.late():
             break
         try:
-            joint = JointFit(_opening(study, length), base.parameters, effects, base)
+            joint = JointFit(opening, base.parameters, effects, base)
             found = joint.fitted(led or _nearest(joint, starts))
         except InertanceError:
             break
@@ -38,12 +42,6 @@ def led_by_openings(
             break
         led = [(found.parameters, found.effects[-1].values)]
     return led
-
-
-def _opening(study: Study, length: int) -> Study:
-    """Return a study of the first samples of its training records alone."""
-    openings = [e.until(min(length, len(e.compared.time) - 1)) for e in study.campaign.training]
-    return replace(study, campaign=study.campaign.with_records(openings, []))
 
 
 def _nearest(joint: JointFit, starts: Sequence[FitStart]) -> list[FitStart]:
@@ -58,11 +56,24 @@ def _nearest(joint: JointFit, starts: Sequence[FitStart]) -> list[FitStart]:
     return sorted(tried, key=lambda start: joint.missed(*start))[: criteria.OPENING_STARTS]
 
 
-def _lengths(study: Study, base: Refit) -> Iterator[int]:
-    """Yield how long openings are, from where the model without the effect is lost [samples]."""
-    longest = max(len(experiment.compared.time) for experiment in study.campaign.training)
-    length = criteria.PIECE_SAMPLES
-    while length < longest:
-        if rms([r[:length] for left in base.train for r in left.values()]) > criteria.LOST_MISFIT:
-            yield length
+def _openings(study: Study, base: Refit) -> Iterator[Study]:
+    """Yield studies of openings of the training records alone, from where a model without the effect is lost.
+
+    They are counted from where inputs first move: before that a machine stands as it rests.
+    """
+    training, length = study.campaign.training, criteria.PIECE_SAMPLES
+    begins = [_stands(experiment, study.campaign.inputs) for experiment in training]
+    lasts = [len(experiment.compared.time) - 1 for experiment in training]
+    while length <= max(last - begin for last, begin in zip(lasts, begins, strict=True)):
+        ends = [min(begin + length, last) for begin, last in zip(begins, lasts, strict=True)]
+        spans = zip(base.train, begins, ends, strict=True)
+        if rms([r[begin:end] for left, begin, end in spans for r in left.values()]) > criteria.LOST_MISFIT:
+            openings = [experiment.until(end) for experiment, end in zip(training, ends, strict=True)]
+            yield replace(study, campaign=study.campaign.with_records(openings, []))
         length = round(criteria.OPENING_GROWTH * length)
+
+
+def _stands(experiment: Experiment, inputs: Iterable[str]) -> int:
+    """Return how long a record begins with inputs that stand still [samples]; 0 if they never move."""
+    still = standing([experiment.compared.values[name] for name in inputs], experiment.rate)
+    return int(np.argmin(still)) if still.size else 0
