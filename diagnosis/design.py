@@ -14,7 +14,7 @@ from ..components import ModelError
 from ..identification import Accuracy, Campaign
 from ..networks import RTOL, SOLVERS
 from . import criteria
-from .diagnose import check_keys, diagnose, granted, relative_tolerance
+from .diagnose import check_keys, diagnose, relative_tolerance
 from .experiments.designed import Design, InseparableError, Known, played
 from .experiments.envelope import sampling_rate, seconds
 from .experiments.forecast import Forecast, Planned, known_after
@@ -100,9 +100,7 @@ def _study(campaign: Campaign, solver: str, executor: Executor | None, report: R
     rtol = relative_tolerance(campaign) if campaign.training else RTOL
     accuracy = Accuracy(solver, rtol, foreseen=round(samples * criteria.RUNS_PER_MODEL))
     study = study_of(campaign, accuracy, executor, report)
-    if not campaign.training:
-        return study
-    return replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))
+    return study.granting_steps() if campaign.training else study
 
 
 def _for_hypotheses(study: Study, models: Sequence[Refit]) -> Design:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 from ..base import above, computing, demand, optional, text
 from ..components import ModelError
 from ..identification import Accuracy, Campaign
 from .criteria import COMPARISON_RATE_HZ, RUNS_PER_MODEL
-from .diagnose import granted, refitted_as_heard, relative_tolerance
+from .diagnose import relative_tolerance
+from .investigation import refitted_as_heard
 from .law.missing_force import MissingForce, force_of
 from .models.fmu_network import read_model
 from .models.study import FMUStudy, Study, study_of, thinned
@@ -48,4 +48,4 @@ def _study_for(campaign: Campaign | str | Path, rate: float) -> Study:
     study = study_of(campaign, accuracy)
     if isinstance(study, FMUStudy):
         raise ModelError("the missing force needs the equations of the model; give a network, not an FMU")
-    return replace(study, accuracy=replace(accuracy, steps=granted(study.steps_per_sample())))
+    return study.granting_steps()

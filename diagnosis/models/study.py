@@ -31,6 +31,7 @@ from ..criteria import (
     LIVELY_RATIO,
     NOISE_PEAK_STANDARD_DEVIATIONS,
     SOLVER_STEPS_PER_SAMPLE,
+    SOLVER_STEPS_RATIO,
 )
 from ..effects.hypothesis import Hypothesis
 from ..effects.sites import Site, sites_of
@@ -138,6 +139,15 @@ class Study:
             assert isinstance(found, Prediction)
             taken.append(found.run.stats["steps"] / len(found.time))
         return max(taken)
+
+    def granting_steps(self) -> Study:
+        """Return the study with as many steps of the integrator a sample as are granted to what is tried.
+
+        Raises:
+            SimulationError: for a model far faster than its records.
+        """
+        steps = max(SOLVER_STEPS_PER_SAMPLE, round(SOLVER_STEPS_RATIO * self.steps_per_sample()))
+        return replace(self, accuracy=replace(self.accuracy, steps=steps))
 
     def part(self, path: str) -> str:
         """Return the component of the network that a variable or parameter belongs to."""

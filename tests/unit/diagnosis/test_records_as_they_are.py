@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from inertance.diagnosis import Verdict
 from inertance.diagnosis.criteria import SOLVER_STEPS_PER_SAMPLE
-from inertance.diagnosis.diagnose import granted
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis, with_effects
 from inertance.diagnosis.effects.sites import sites_of
@@ -250,7 +249,9 @@ def test_where_a_stiffening_machine_begins_is_known_from_the_model_before() -> N
     assert JointFit(study, base.parameters, [stiffening], base).fitted().misfit < 1.1
 
 
-def test_effects_are_granted_steps_by_what_the_model_takes(cart: Any) -> None:
+def test_effects_are_granted_steps_by_what_the_model_takes(
+    cart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Where samples are far apart, friction that sticks and slips between them takes many times more."""
     slow = np.arange(0.0, 60.1, 0.5)
     net = cart.rig(d=200.0)
@@ -262,8 +263,9 @@ def test_effects_are_granted_steps_by_what_the_model_takes(cart: Any) -> None:
     )
     taken = study.steps_per_sample()
     assert 2.5 < taken < SOLVER_STEPS_PER_SAMPLE
-    assert granted(taken) == round(20 * taken)
-    assert granted(1.0) == SOLVER_STEPS_PER_SAMPLE
+    assert study.granting_steps().accuracy.steps == round(20 * taken)
+    monkeypatch.setattr(type(study), "steps_per_sample", lambda _: 1.0)
+    assert study.granting_steps().accuracy.steps == SOLVER_STEPS_PER_SAMPLE
 
 
 def stepped(truth: ia.Network, seed: int) -> Record:

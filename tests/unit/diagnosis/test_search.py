@@ -4,7 +4,6 @@ import json
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
-from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -12,11 +11,12 @@ from typing import Any
 import inertance as ia
 import numpy as np
 import pytest
-from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose
+from inertance.diagnosis import DiagnosisInterruptedError, Verdict, diagnose, investigation
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search import hearing
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.model_comparison import Refit, best_of, clearness, is_clear
+from inertance.diagnosis.search.round import run_round
 from inertance.identification import Campaign
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
@@ -24,7 +24,6 @@ from scipy.interpolate import CubicSpline
 Array = NDArray[np.float64]
 Sensor = Callable[[Array, Array], Array]
 
-search = import_module("inertance.diagnosis.diagnose")
 
 RATE, DURATION, NOISE = 125.0, 4.0, 2e-5
 
@@ -111,9 +110,9 @@ def test_an_effect_found_before_noise_was_heard_again_is_kept(
         return replace(found, fitted=[]) if len(begun) > 1 else found
 
     begun: list[Refit] = []
-    search_round = search.run_round
-    monkeypatch.setattr(search, "heard_beside", other_noise)
-    monkeypatch.setattr(search, "run_round", rounds)
+    search_round = run_round
+    monkeypatch.setattr(investigation, "heard_beside", other_noise)
+    monkeypatch.setattr(investigation, "run_round", rounds)
     if stopped:
         with pytest.raises(DiagnosisInterruptedError) as interrupted:
             verdict_on(cart, cart.rubbing())
@@ -142,9 +141,9 @@ def test_a_search_begins_once_more_however_often_noise_turns_out_other(
         return search_round(study, best, done, before)
 
     beside: list[list[str]] = []
-    search_round = search.run_round
-    monkeypatch.setattr(search, "heard_beside", less_noise)
-    monkeypatch.setattr(search, "run_round", noted)
+    search_round = run_round
+    monkeypatch.setattr(investigation, "heard_beside", less_noise)
+    monkeypatch.setattr(investigation, "run_round", noted)
     found = verdict_on(cart, cart.rubbing())
     assert beside.count([]) == 2
     assert ("coulomb_friction", "guide") in [(p.effect.kind, p.site.path) for p in found.effects]
