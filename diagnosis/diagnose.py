@@ -17,7 +17,7 @@ from . import criteria
 from .investigation import Investigation
 from .models.fmu_network import read_model
 from .models.study import Report, study_of, thinned
-from .search.crew import LATE
+from .search.fit import LATE
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
 

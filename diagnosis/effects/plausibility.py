@@ -40,6 +40,15 @@ def implausible(placed: Hypothesis, campaign: Campaign) -> str | None:
     return next((doubt.told for doubt in _doubts(placed, campaign) if doubt.amount > doubt.limits[0]), None)
 
 
+def refused(placed: Hypothesis, campaign: Campaign) -> str:
+    """Return why no machine has an effect as it was fitted; nothing if one may."""
+    values = placed.values
+    if not placed.effect.credible(values):
+        return f"no such machine: {', '.join(f'{name} = {value:.3g}' for name, value in values.items())}"
+    odd = implausible(placed, campaign)
+    return "" if odd is None else f"no such machine: {odd}"
+
+
 def doubtful(placed: Hypothesis, campaign: Campaign) -> Iterator[str]:
     """Yield what is odd about an effect that some machine may have, or that none has."""
     yield from (doubt.told for doubt in _doubts(placed, campaign) if doubt.amount > doubt.limits[1])

@@ -13,7 +13,8 @@ from ...components import ModelError, nearest
 from ..effects.effect import effect_of
 from ..effects.hypothesis import told
 from ..models.study import Study
-from ..search.crew import Crew, Fit
+from ..search.crew import Crew
+from ..search.fit import Fit
 from ..search.joint_fit import JointFit
 from ..search.model_comparison import Refit
 from ..search.score_test import Candidate, screen

@@ -10,8 +10,8 @@ from ...base import Array, Flags
 from ...components import InertanceError
 from ...identification import Experiment
 from .. import criteria
+from ..effects.plausibility import refused
 from ..models.study import Study
-from .crew import refused
 from .joint_fit import JointFit
 from .model_comparison import Refit, rms, stretches
 

@@ -10,8 +10,9 @@ import numpy as np
 from ...components import InertanceError
 from ...identification import Experiment
 from .. import criteria
+from ..effects.plausibility import refused
 from ..models.study import FMUStudy, Study
-from .crew import in_several_sizes, refused
+from .fit import in_several_sizes
 from .joint_fit import JointFit
 from .model_comparison import Refit
 from .recast import Recast

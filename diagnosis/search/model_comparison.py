@@ -56,6 +56,11 @@ class Refit:
         return [placed.label for placed in self.effects]
 
     @property
+    def values(self) -> tuple[Mapping[str, float], Mapping[str, float]]:
+        """Its parameters and the values of its last effect, for a fit to start from."""
+        return self.parameters, self.effects[-1].values
+
+    @property
     def left(self) -> list[dict[str, Array]]:
         """The weighted residuals of all records, those of the training first."""
         return [*self.train, *self.test]

@@ -19,8 +19,8 @@ from .model_comparison import Refit, rms
 
 def led_by_openings(
     study: Study, effects: Sequence[Hypothesis], base: Refit, starts: Sequence[FitStart]
-) -> Sequence[FitStart]:
-    """Return where openings of the training records lead that grow, as a start; none if nothing meets them.
+) -> Refit | None:
+    """Return the model to which openings of the training records lead that grow; None if nothing meets them.
 
     Where parts hit one another, or may come to rest in one of several places, an error of a value shifts all
     that follows: what is missed of a whole record is as rough as a comb. Of its opening it is smooth, and
@@ -29,18 +29,18 @@ def led_by_openings(
     Source: H. U. Voss, J. Timmer, J. Kurths, Nonlinear dynamical system identification from uncertain and
     indirect measurements, International Journal of Bifurcation and Chaos 14 (2004) 1905-1933.
     """
-    led: Sequence[FitStart] = ()
+    led: Refit | None = None
     for opening in _openings(study, base):
         if study.late():
             break
         try:
             joint = JointFit(opening, base.parameters, effects, base)
-            found = joint.fitted(led or _nearest(joint, starts))
+            found = joint.fitted(_nearest(joint, starts) if led is None else [led.values])
         except InertanceError:
             break
         if found.misfit > criteria.LOST_MISFIT:
             break
-        led = [(found.parameters, found.effects[-1].values)]
+        led = found
     return led
 
 

@@ -12,7 +12,7 @@ from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .choice import is_worth_exchanging, is_worth_it, simplest
 from .contenders import leading
-from .crew import Fit
+from .fit import Fit
 from .model_comparison import Refit, best_of, clearness
 from .round import Round
 from .score_test import Candidate, screen

@@ -6,9 +6,10 @@ from dataclasses import replace
 from math import inf
 
 from ...components import InertanceError
+from ..effects.plausibility import refused
 from ..models.low_pass import low_passed
 from ..models.study import FMUStudy, Study
-from .crew import in_several_sizes, refused
+from .fit import in_several_sizes
 from .model_comparison import Refit
 from .recast import Recast
 from .round import Round, nearest_in_series
@@ -29,7 +30,7 @@ def behind_low_pass(study: Study, start: Refit, done: Round) -> Recast | None:
     study.tell(f"fitting {chosen.labels[-1]} to what is slow of {names}")
     screened = next(c for c in done.candidates if c.label == chosen.labels[-1])
     sizes = in_several_sizes(screened.values)
-    starts = [(chosen.parameters, chosen.effects[-1].values), *((done.base.parameters, v) for v in sizes)]
+    starts = [chosen.values, *((done.base.parameters, v) for v in sizes)]
     told = (
         f"{names}: model and record are compared behind a low pass of {next(iter(cutoffs.values())):.3g} Hz; "
         f"what rings faster, as beside {chosen.labels[-1]}, hangs on a logger's filter that nobody told"

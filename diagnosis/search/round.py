@@ -14,7 +14,8 @@ from .. import criteria
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
 from .contenders import leading, promising, ready, reserve
-from .crew import LATE, Crew, Fit, Outcome
+from .crew import Crew, Outcome
+from .fit import LATE, Fit
 from .followed import fitted_to_followed
 from .joint_fit import JointFit
 from .model_comparison import Refit, best_of, unexplained

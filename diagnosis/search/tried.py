@@ -9,7 +9,8 @@ from math import inf
 from ...components import InertanceError
 from ..effects.hypothesis import Hypothesis
 from ..models.study import Study
-from .crew import Crew, Fit
+from .crew import Crew
+from .fit import Fit
 from .joint_fit import JointFit
 from .model_comparison import Refit
 

@@ -30,9 +30,9 @@ def fitted(study: Study, base: Refit, candidate: Candidate, starts: list[FitStar
     """Return fits of an effect from starts alone, and from where openings lead as well."""
     placed = Hypothesis(candidate.effect, candidate.site, f"{candidate.effect.kind}_1", candidate.values)
     led = led_by_openings(study, [placed], base, starts)
-    assert len(led) == 1
+    assert led is not None
     alone = JointFit(study, base.parameters, [placed], base).fitted(starts)
-    return alone, JointFit(study, base.parameters, [placed], base).fitted([*starts, *led])
+    return alone, JointFit(study, base.parameters, [placed], base).fitted([*starts, led.values])
 
 
 @pytest.mark.parametrize(("share", "stretch"), [(0.1, 0.9), (1.0, 0.95), (0.3, 1.1)])
@@ -112,7 +112,9 @@ def test_play_is_found_from_a_fortieth_of_it() -> None:
     study = Study(Campaign(held(), channels, priors, records[:3], records[3:]), Accuracy(foreseen=10**6))
     base, candidate = screened(study, "backlash at link")
     placed = Hypothesis(candidate.effect, candidate.site, "backlash_1", candidate.values)
-    ((parameters, values),) = led_by_openings(study, [placed], base, [(base.parameters, {"eps": PLAY / 40})])
+    led = led_by_openings(study, [placed], base, [(base.parameters, {"eps": PLAY / 40})])
+    assert led is not None
+    parameters, values = led.values
     assert values["eps"] == pytest.approx(PLAY, rel=0.05)
     assert parameters["link.k"] == pytest.approx(LINK["k"], rel=0.05)
 
@@ -123,8 +125,8 @@ def test_no_opening_is_fitted_where_the_model_without_the_effect_follows_or_no_t
     base, candidate = screened(study, "position_ripple at spring")
     placed = Hypothesis(candidate.effect, candidate.site, "position_ripple_1", RIPPLE)
     starts: list[FitStart] = [(base.parameters, RIPPLE)]
-    right = JointFit(study, base.parameters, [placed], base).fitted(
-        led_by_openings(study, [placed], base, starts)
-    )
-    assert led_by_openings(study, [placed], replace(base, train=right.train), starts) == ()
-    assert led_by_openings(replace(study, deadline=-inf), [placed], base, starts) == ()
+    led = led_by_openings(study, [placed], base, starts)
+    assert led is not None
+    right = JointFit(study, base.parameters, [placed], base).fitted([led.values])
+    assert led_by_openings(study, [placed], replace(base, train=right.train), starts) is None
+    assert led_by_openings(replace(study, deadline=-inf), [placed], base, starts) is None

@@ -10,7 +10,7 @@ from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
 from inertance.diagnosis.effects.sites import BETWEEN, Site
 from inertance.diagnosis.search.contenders import leading, reserve, same_motion
-from inertance.diagnosis.search.crew import Fit
+from inertance.diagnosis.search.fit import Fit
 from inertance.diagnosis.search.model_comparison import Refit
 from inertance.diagnosis.search.round import Round, _fit_elsewhere, _richer
 from inertance.diagnosis.search.score_test import Candidate
