@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from concurrent.futures import Executor
 from math import inf
 from pathlib import Path
@@ -18,6 +19,7 @@ from .investigation import Investigation
 from .models.fmu_network import read_model
 from .models.study import Report, study_of, thinned
 from .search.fit import LATE
+from .search.round import Round
 from .verdict.verdict import DiagnosisInterruptedError, Verdict
 
 
@@ -68,7 +70,7 @@ def diagnose(
     found = Investigation.of(study.granting_steps())
     try:
         found.run()
-        found.notes += _left_out(found, budget)
+        found.notes += [*_left_out(found, budget), *_unscreened(found.rounds)]
         return found.decided()
     except KeyboardInterrupt:
         told = "interrupted; what is known so far is the error's `verdict`"
@@ -82,6 +84,13 @@ def _left_out(found: Investigation, budget: float | None) -> list[str]:
     count = sum(why == LATE for done in found.rounds for why in done.failed.values())
     fits = f"{count} effects were not fitted" if count else "no further effect was looked for"
     return [f"the budget of {budget:g} s ended: {fits}; give more time for the full verdict"]
+
+
+def _unscreened(rounds: Sequence[Round]) -> list[str]:
+    """Say beside what nothing further could be looked for, and why."""
+    beside = [" and ".join(done.base.labels) or "the model as given" for done in rounds]
+    told = zip(beside, (done.unscreened for done in rounds), strict=True)
+    return [f"beside {model} nothing was looked for: {why}" for model, why in told if why]
 
 
 def check_keys(campaign: Campaign) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from math import inf
 
@@ -71,8 +71,7 @@ class Investigation:
     def decided(self) -> Verdict:
         """Return the verdict, with a law of its own where nothing listed explains enough."""
         told = self.known if self.known and self.study.late() and not self.best.effects else self
-        notes = [*self.notes, *_unscreened(self.rounds)]
-        verdict = decided(told.study, told.start, told.base, told.best, told.rounds, notes, self.rivals)
+        verdict = decided(told.study, told.start, told.base, told.best, told.rounds, self.notes, self.rivals)
         return beyond_the_list(told.study, verdict)
 
     def broken_off(self) -> Verdict:
@@ -239,13 +238,6 @@ def _heard(study: Study, model: Refit) -> Study:
     if heard is not study:
         study.tell("refitting with the noise that a filter has left")
     return heard
-
-
-def _unscreened(rounds: Sequence[Round]) -> list[str]:
-    """Say beside what nothing further could be looked for, and why."""
-    beside = [" and ".join(done.base.labels) or "the model as given" for done in rounds]
-    told = zip(beside, (done.unscreened for done in rounds), strict=True)
-    return [f"beside {model} nothing was looked for: {why}" for model, why in told if why]
 
 
 def _may_go_on(best: Refit, base: Refit, study: Study) -> bool:

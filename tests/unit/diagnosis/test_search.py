@@ -24,7 +24,6 @@ from scipy.interpolate import CubicSpline
 Array = NDArray[np.float64]
 Sensor = Callable[[Array, Array], Array]
 
-
 RATE, DURATION, NOISE = 125.0, 4.0, 2e-5
 
 
