@@ -59,10 +59,10 @@ def _nearest(joint: JointFit, starts: Sequence[FitStart]) -> list[FitStart]:
 def _openings(study: Study, base: Refit) -> Iterator[Study]:
     """Yield studies of openings of the training records alone, from where a model without the effect is lost.
 
-    They are counted from where inputs first move: before that a machine stands as it rests.
+    They are counted from where an input or an output first moves: what rests tells of no effect.
     """
     training, length = study.campaign.training, criteria.PIECE_SAMPLES
-    begins = [_stands(experiment, study.campaign.inputs) for experiment in training]
+    begins = [_rests(experiment, study.campaign.inputs) for experiment in training]
     lasts = [len(experiment.compared.time) - 1 for experiment in training]
     while length <= max(last - begin for last, begin in zip(lasts, begins, strict=True)):
         ends = [min(begin + length, last) for begin, last in zip(begins, lasts, strict=True)]
@@ -73,7 +73,14 @@ def _openings(study: Study, base: Refit) -> Iterator[Study]:
         length = round(criteria.OPENING_GROWTH * length)
 
 
-def _stands(experiment: Experiment, inputs: Iterable[str]) -> int:
-    """Return how long a record begins with inputs that stand still [samples]; 0 if they never move."""
-    still = standing([experiment.compared.values[name] for name in inputs], experiment.rate)
+def _rests(experiment: Experiment, inputs: Iterable[str]) -> int:
+    """Return how long a record begins with nothing that moves but by its noise [samples]; 0 if nothing does.
+
+    A machine under a force that stands still may be on its way to where it rests.
+    """
+    values = experiment.compared.values
+    still = standing([values[name] for name in inputs], experiment.rate)
+    for name, sigma in experiment.sigma.items() if still.size else ():
+        most = criteria.NOISE_PEAK_STANDARD_DEVIATIONS * np.sqrt(2.0) * sigma
+        still &= np.abs(values[name] - values[name][0]) <= most
     return int(np.argmin(still)) if still.size else 0

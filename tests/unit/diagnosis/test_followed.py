@@ -35,16 +35,23 @@ def stand(k: float = 2000.0, d: float = 20.0, **ripple: float) -> ia.Network:
     return net
 
 
-def record(name: str, seed: int, begin: float = 0.0, **given: Any) -> dict[str, Any]:
-    """Return a record of the stand by a clock that is late, from a time after its run began."""
+def record(
+    name: str, seed: int, begin: float = 0.0, held: float = 0.0, load: float = 0.0, **given: Any
+) -> dict[str, Any]:
+    """Return a record of the stand by a clock that is late, from a time after its run began.
+
+    The force stands still for the time `held` first, at the `load` on which it moves then.
+    """
     true = stand(TRUE["spring.k"], TRUE["spring.d"], **RIPPLE)
     shape = Multisine(rms=RMS, low=0.5, high=10.0, period=SECONDS, seed=seed)
     push = sampled(shape, stop=SECONDS, rate=RATE, fade=0.3)
-    t = np.asarray(push.time)
-    run = true.simulate(SECONDS, step=1 / RATE, inputs={"drive.f": push}, rtol=1e-9, atol=1e-12)
+    u = load + np.concatenate([np.zeros(round(held * RATE)), push.values])
+    t = np.arange(len(u)) / RATE
+    driven = {"drive.f": ia.Sampled(t, u)}
+    run = true.simulate(t[-1], step=1 / RATE, inputs=driven, rtol=1e-9, atol=1e-12)
     x, v = run.at("body.s", t), run.at("body.v", t)
     noise = np.random.default_rng(seed).standard_normal((2, len(t)))
-    values = {"u": np.asarray(push.values), "x": x + 0.01 * x.std() * noise[0]}
+    values = {"u": u, "x": x + 0.01 * x.std() * noise[0]}
     values["v"] = v + 0.01 * v.std() * noise[1]
     later = t >= begin
     return {"record": Record(name, t[later] + LATE, {n: c[later] for n, c in values.items()}), **given}

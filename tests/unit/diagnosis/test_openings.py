@@ -14,7 +14,7 @@ from inertance.diagnosis.search.openings import led_by_openings
 from inertance.diagnosis.search.score_test import Candidate, screen
 from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
 
-from .test_followed import RIPPLE, RMS, TRUE, assert_true, campaign, record, stand
+from .test_followed import RIPPLE, assert_true, campaign, record
 
 RATE, SECONDS = 500.0, 6.0
 PLAY, LINK = 3e-3, {"k": 4100.0, "d": 4.5}
@@ -60,22 +60,11 @@ def test_ripple_is_found_in_records_begun_in_motion_of_other_lengths_and_with_a_
     assert_true(found)
 
 
-def late(name: str, seed: int, seconds: float) -> dict[str, Record]:
-    """Return a record of the guide that begins long before the force moves, while it rests."""
-    shape = Multisine(rms=RMS, low=0.5, high=10.0, period=SECONDS, seed=seed)
-    push = sampled(shape, stop=SECONDS, rate=RATE, fade=0.3)
-    u = np.concatenate([np.zeros(round(seconds * RATE)), push.values])
-    t = np.arange(len(u)) / RATE
-    true, driven = stand(TRUE["spring.k"], TRUE["spring.d"], **RIPPLE), {"drive.f": ia.Sampled(t, u)}
-    run = true.simulate(t[-1], step=1 / RATE, inputs=driven, rtol=1e-9, atol=1e-12)
-    x, noise = run.at("body.s", t), np.random.default_rng(seed).standard_normal(len(t))
-    return {"record": Record(name, t, {"u": u, "x": x + 0.01 * x.std() * noise})}
-
-
-def test_ripple_is_found_in_records_that_stand_still_at_first() -> None:
-    records = [
-        late(f"r{seed}", seed, seconds) for seed, seconds in ((10, 4.0), (11, 2.3), (12, 0.0), (13, 3.0))
-    ]
+@pytest.mark.parametrize(("load", "initial"), [(0.0, "rest"), (20.0, "fit")])
+def test_ripple_is_found_in_records_whose_force_stands_still_at_first(load: float, initial: str) -> None:
+    """Without a load the body rests; under one it swings to where it rests before the force moves."""
+    times = ((10, 4.0), (11, 2.3), (12, 0.0), (13, 3.0))
+    records = [record(f"r{s}", s, held=seconds, load=load, initial=initial) for s, seconds in times]
     study = Study(campaign(records[:3], records[3:]), Accuracy(foreseen=10**6))
     base, candidate = screened(study, "position_ripple at spring")
     begin = {name: 0.1 * value for name, value in RIPPLE.items()} | {"period": 0.9 * RIPPLE["period"]}
