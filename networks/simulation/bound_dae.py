@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from contextvars import ContextVar
 from functools import cache, cached_property, partial
 from hashlib import sha256
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from ...base import Array, named
+from ...base import Array, ModelError, named
 from ...components.language import Sampled
 from ..dae import DAE, Input
 from ..evaluation.compiled import Batch, Compiled, dense
@@ -23,6 +24,7 @@ from .events.functions import SwitchFunctions
 from .events.shocks import Shocks
 from .input_signals import Polynomial, SignalKey, chosen_signals, input_value
 from .integrator import Stepper
+from .intervals import calls
 from .legs import Leg, legs_of, together
 from .splines import sampled_at
 from .time_signals import TimeSignals, timed_rows
@@ -160,6 +162,19 @@ class BoundDAE:
         return {path: s for path, s in self.signals.items() if not isinstance(s, Sampled | Real)}
 
     @cached_property
+    def formulas(self) -> dict[int, Any]:
+        """By place, the inputs that are formulas of time alone; all others are known by their numbers.
+
+        A formula that calls a function, such as an interpolant, tells no more than its numbers.
+        """
+        found = {}
+        for k, (declared, signal) in enumerate(self.given):
+            if not isinstance(signal, Sampled | Polynomial):
+                with suppress(ModelError):
+                    found[k] = ca.densify(input_value(declared, signal, self.dae.time))
+        return {k: value for k, value in found.items() if not calls(value)}
+
+    @cached_property
     def mark(self) -> str:
         """What tells most networks and their functions apart, at next to no cost."""
         dae = self.dae
@@ -187,7 +202,7 @@ class BoundDAE:
         signals = [signal for _, signal in self.given]
         still = tuple(k for k, signal in enumerate(signals) if isinstance(signal, Real))
         given = tuple(k for k, s in enumerate(signals) if k not in still and not isinstance(s, Polynomial))
-        drawn = tuple(k for k in given if isinstance(signals[k], Sampled))
+        drawn = tuple(k for k in given if k not in self.formulas)
         known, key = self.dae.timed, (given, still, drawn, bool(self.courses))
         if key not in known:
             known[key] = timed_rows(self.dae, *key)

@@ -73,6 +73,12 @@ def instructions(function: Any) -> list[tuple[int, list[int], list[int], float]]
     return found
 
 
+def calls(expression: Any) -> bool:
+    """Tell whether an SX expression calls a function, of which nothing but its numbers is known."""
+    function = ca.Function("value", ca.symvar(expression), [expression])
+    return any(operation == ca.OP_CALL for operation, *_ in instructions(function))
+
+
 def _within(low: float, high: float) -> Rule:
     """Return bounds that hold whatever the operands are."""
     return lambda a, *_: (np.full_like(a[0], low), np.full_like(a[0], high), False)

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 
-from ...base import Array, Flags, ModelError
+from ...base import Array, Flags
 from ...components.language import Sampled
 from ..evaluation.compiled import Batch
 from ..flattening.vectors import column, pick, stacked
-from .input_signals import Polynomial, SignalKey, input_value
+from .input_signals import SignalKey
 from .intervals import Bounds, Enclosure, instructions
 from .splines import breaks, sampled_at
 
@@ -23,7 +22,8 @@ if TYPE_CHECKING:
     from .bound_dae import BoundDAE
 
 STATES, CONSTANT, FORMAL, DRAWN = range(4)
-TABLE_POINTS = 8193
+TABLE_POINTS = 2**17 + 1
+LINE_SHARE = 1e-9  # of a table's values within which they lie on a line
 
 
 class TimeSignals:
@@ -140,17 +140,7 @@ class TimeSignals:
     def _drawn(self) -> list[int]:
         """Places of the inputs that are in them and known by numbers, not by a formula."""
         there = set(ca.jacobian_sparsity(self._rows, self._dae.u).get_triplet()[1])
-        return [k for k in sorted(there) if k not in self._formulas]
-
-    @cached_property
-    def _formulas(self) -> dict[int, Any]:
-        """The other inputs as expressions of time."""
-        found = {}
-        for k, (declared, signal) in enumerate(self._closed.given):
-            if not isinstance(signal, Sampled | Polynomial):
-                with suppress(ModelError):
-                    found[k] = ca.densify(input_value(declared, signal, self._dae.time))
-        return found
+        return [k for k in sorted(there) if k not in self._closed.formulas]
 
     @cached_property
     def _of_time(self) -> Any:
@@ -160,8 +150,8 @@ class TimeSignals:
         look for a pulse in their difference.
         """
         dae = self._dae
-        inputs = pick(dae.u, [*self._formulas])
-        formulas = ca.substitute(self._rows, inputs, column([*self._formulas.values()]))
+        known = self._closed.formulas
+        formulas = ca.substitute(self._rows, pick(dae.u, [*known]), column([*known.values()]))
         return ca.cse(ca.substitute(formulas, dae.p, ca.SX(self._parameters)))
 
     def _enclosed(self, what: str) -> Enclosure:
@@ -193,8 +183,30 @@ class TimeSignals:
             if isinstance(signal, Sampled):
                 tables[k] = signal.time, declared.sign * sampled_at(signal, signal.time, declared.order)
             else:
-                tables[k] = evenly, self._input_values(evenly)[:, k]
+                tables[k] = _corners(evenly, self._input_values(evenly)[:, k])
         return tables
+
+
+def _corners(times: Array, values: Array) -> tuple[Array, Array]:
+    """Return the corners of evenly spaced values, if lines between them give all of these; else the values.
+
+    Where two neighbours bend and those around them do not, the lines of these meet in a corner between.
+    """
+    size, rates = np.abs(values).max(), np.diff(values)
+    bends = np.append(False, ~(np.abs(np.diff(rates)) <= LINE_SHARE * size))  # at the first of two rates
+    first = np.flatnonzero(bends[1:-2] & bends[2:-1] & ~bends[:-3] & ~bends[3:]) + 1
+    with np.errstate(all="ignore"):
+        share = (rates[first] - rates[first + 1]) / (rates[first - 1] - rates[first + 1])
+    met = (share >= 0) & (share <= 1)
+    first, share = first[met], share[met]
+    bends[[*first, *(first + 1)]] = False
+    alone = np.concatenate([[0], np.flatnonzero(bends), [len(times) - 1]])
+    corners = np.append(times[alone], times[first] + share * (times[1] - times[0]))
+    heights = np.append(values[alone], values[first] + share * rates[first - 1])
+    order = np.argsort(corners)
+    between = np.interp(times, corners[order], heights[order])
+    lines = np.abs(between - values).max() <= LINE_SHARE * size
+    return (corners[order], heights[order]) if lines else (times, values)
 
 
 def _range(times: Array, values: Array, low: Array, high: Array) -> Bounds:

@@ -243,6 +243,40 @@ def test_a_function_of_numbers_alone_is_seen_by_its_numbers() -> None:
     net.connect(net.push.flange, net.pull.flange, net.mass.flange)
     run = net.simulate(100.0, inputs={"pull.f": lambda t: table(t)})
     assert run["mass.v"][-1] == pytest.approx(0.19, rel=1e-4)
+    assert run.stats["steps"] < 1000
+
+
+@pytest.mark.parametrize("kind", ["linear", "jagged", "needle", "cliffs"])
+def test_a_table_is_followed_as_its_data_are(kind: str) -> None:
+    """Its knots, between any instants, are found in its numbers."""
+    rng = np.random.default_rng(1)
+    t, values = np.sort(np.append(rng.uniform(7.0, 31.0, 300), [7.0, 31.0])), rng.normal(size=302)
+    if kind == "linear":
+        values = 3 * t
+    elif kind == "needle":
+        values = np.where(np.arange(302) == 123, 50.0, 0.0)
+    elif kind == "cliffs":
+        t, values = np.array([7, 9, 9 + 1e-6, 20, 20 + 1e-6, 31]), np.array([0, 0, 1, 2, -1, 0.0])
+    table = ca.interpolant("table", "linear", [t], values)
+    signals: list[Any] = [Sampled(t, values, interpolation="linear"), lambda t: table(t)]
+    given = ({"push.f": signal} for signal in signals)
+    runs = [oscillator().simulate(31.0, begin=7.0, inputs=each, solver="cvodes") for each in given]
+    one, other = (run["mass.s"][-1] for run in runs)
+    assert other == pytest.approx(one, abs=1e-4 * np.ptp(runs[0]["mass.s"]))
+    assert runs[1].stats["steps"] < 1.3 * runs[0].stats["steps"] + 100
+
+
+@pytest.mark.parametrize("cliff", [0.0, 1.0])
+def test_a_function_that_is_no_table_is_seen_by_its_numbers(cliff: float) -> None:
+    def wave(t: Any) -> Any:
+        return ca.sin(3 * t) + ca.if_else(t > 5.5, cliff, 0.0)
+
+    t = ca.MX.sym("t")
+    shape = ca.Function("shape", [t], [wave(t)], {"never_inline": True})
+    signals: list[Any] = [wave, lambda t: shape(t)]
+    runs = [oscillator().simulate(10.0, inputs={"push.f": signal}, rtol=1e-8) for signal in signals]
+    one, other = (run["mass.s"][-1] for run in runs)
+    assert other == pytest.approx(one, abs=1e-5 * np.ptp(runs[0]["mass.s"]))
 
 
 def test_a_signal_need_not_be_hashable() -> None:
