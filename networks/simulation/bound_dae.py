@@ -162,17 +162,23 @@ class BoundDAE:
         return {path: s for path, s in self.signals.items() if not isinstance(s, Sampled | Real)}
 
     @cached_property
-    def formulas(self) -> dict[int, Any]:
-        """By place, the inputs that are formulas of time alone; all others are known by their numbers.
-
-        A formula that calls a function, such as an interpolant, tells no more than its numbers.
-        """
+    def read(self) -> dict[int, Any]:
+        """By place, the inputs that can be read as expressions of time."""
         found = {}
         for k, (declared, signal) in enumerate(self.given):
             if not isinstance(signal, Sampled | Polynomial):
                 with suppress(ModelError):
                     found[k] = ca.densify(input_value(declared, signal, self.dae.time))
-        return {k: value for k, value in found.items() if not calls(value)}
+        return found
+
+    @cached_property
+    def formulas(self) -> dict[int, Any]:
+        """Those of them that are formulas of time alone; all other inputs are known by their numbers.
+
+        An expression that calls a function, such as an interpolant, tells no more than these, and where it
+        switches itself.
+        """
+        return {k: expression for k, expression in self.read.items() if not calls(expression)}
 
     @cached_property
     def mark(self) -> str:

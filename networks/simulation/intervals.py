@@ -58,7 +58,8 @@ class Enclosure:
                 else:
                     low, high, unsure = _RULES.get(operation, _UNKNOWN)(*(work[place] for place in of))
                     unknown = ~((low < np.inf) & (high > -np.inf))  # NaN, too
-                    work[into[0]] = np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
+                    bounds = np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
+                    work.update(dict.fromkeys(into, bounds))
                     undecided |= unsure
         return lows, highs, undecided
 

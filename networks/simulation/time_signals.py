@@ -97,8 +97,8 @@ class TimeSignals:
         return self._enclosure("signals")(*self._boxes(low, high))[:2]
 
     def may_switch(self, low: Array, high: Array) -> Flags:
-        """Tell within which intervals a formula may jump or bend."""
-        if not self.formal.any():
+        """Tell within which intervals a formula may jump or bend, or one around a function that it calls."""
+        if not self.formal.any() and not self._calling:
             return np.zeros(len(low), dtype=bool)
         return self._enclosure("formulas")(*self._boxes(low, high))[2]
 
@@ -143,6 +143,11 @@ class TimeSignals:
         return [k for k in sorted(there) if k not in self._closed.formulas]
 
     @cached_property
+    def _calling(self) -> list[Any]:
+        """The inputs known by numbers that are formulas around functions, which these may miss to switch."""
+        return [self._closed.read[k] for k in self._drawn if k in self._closed.read]
+
+    @cached_property
     def _of_time(self) -> Any:
         """The signals with formulas and numbers put in: a difference of equal ones is 0 at all times.
 
@@ -158,7 +163,7 @@ class TimeSignals:
         """Return an enclosure of all "signals", of "formulas" alone, or of "slopes" or "bends" of all."""
         dae, rows = self._dae, self._of_time
         if what == "formulas":
-            rows = pick(rows, np.flatnonzero(self.formal).tolist())
+            rows = ca.vertcat(pick(rows, np.flatnonzero(self.formal).tolist()), *self._calling)
         for _ in range({"slopes": 1, "bends": 2}.get(what, 0)):
             rows = ca.densify(ca.jacobian(rows, dae.time)) + ca.SX(np.where(self.formal, 0.0, np.inf))
         arguments = [pick(dae.u, self._drawn), dae.p, dae.time]

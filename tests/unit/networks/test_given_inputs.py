@@ -279,6 +279,24 @@ def test_a_function_that_is_no_table_is_seen_by_its_numbers(cliff: float) -> Non
     assert other == pytest.approx(one, abs=1e-5 * np.ptp(runs[0]["mass.s"]))
 
 
+@pytest.mark.parametrize("around", ["added", "times", "second output"])
+def test_a_short_pulse_around_a_function_is_not_stepped_over(around: str) -> None:
+    """It lies between any two of the instants at which numbers are looked at."""
+    s = ca.MX.sym("s")
+    pair = ca.Function("pair", [s], [ca.cos(s), 0 * s], {"never_inline": True})
+    table = ca.interpolant("table", "linear", [[0.0, 100.0]], [0.0, 0.0])
+
+    def push(t: Any) -> Any:
+        pulse = ca.if_else(ca.logic_and(t > 50.00003, t < 50.00013), 1e4, 0.0)
+        if around == "second output":
+            return pair(t)[1] + pulse
+        return pulse * (1 + table(t)) if around == "times" else pulse + table(t)
+
+    net = Network("wagon", push=Force(f=push), mass=Mass(m=1.0))
+    net.connect(net.push.flange, net.mass.flange)
+    assert net.simulate(100.0)["mass.v"][-1] == pytest.approx(1.0, rel=1e-6)
+
+
 def test_a_signal_need_not_be_hashable() -> None:
     class Pull:
         __hash__ = None  # type: ignore[assignment]
