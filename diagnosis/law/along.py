@@ -19,7 +19,7 @@ from ..models.network_predictor import NetworkPredictor
 from ..models.probes import motion_at
 from ..models.study import Study
 from ..search.record_run import RecordRun
-from ..search.record_start import begun, nuisance_slopes
+from ..search.record_start import begun, nuisance_slopes, reach_of
 from .course import Course
 
 
@@ -173,7 +173,8 @@ class Beside:
         """Return the columns of a `Course` at the instants of the record, how many are shared, and priors.
 
         The first is what would be left without the force, with the parameters at the centers of their priors.
-        Where parameters are `fixed`, none are shared.
+        Where parameters are `fixed`, none are shared. A state at the start that leaves no trace stays about
+        as near to where it is as it gets in the run.
         """
         found, experiment, bench = self.found, self.experiment, self.bench
         names = list(found.values)
@@ -187,6 +188,9 @@ class Beside:
         free = nuisance_slopes(experiment, found)
         own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1) * self._counts[:, :, None]
         weights = np.zeros(own.shape[2])
+        if self.begin.start is not None:
+            reach = reach_of(experiment, found)
+            weights[: len(reach)] = np.divide(1.0, reach, out=np.zeros_like(reach), where=reach > 0)
         if experiment.unknown:
             end = own.shape[2] - len(experiment.offset)
             place = slice(end - len(experiment.unknown), end)

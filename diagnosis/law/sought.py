@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Any
@@ -24,6 +24,7 @@ from .drawing import Drawing
 from .law import STATIC, Law
 from .missing_force import MissingForce, force_of
 from .polish import Polished, polished
+from .shown import Showing
 
 ALL_OF_IT, SPANS_TOLD = 0.99, 3  # [1] of a force's square that is all of it, stretches told in a sentence
 
@@ -95,8 +96,8 @@ class Sought:
 def sought(study: Study, model: Refit) -> Sought | None:
     """Return what comes of looking for a static law beside a model; None where no force can be found.
 
-    Sites other than the likeliest are tried if no law there foresees enough. Where free runs with a law that
-    records foresee fail or miss a little more than noise, the one that the force shows is tried, too.
+    Sites other than the likeliest are tried if no law there foresees enough. Where free runs with a law fail
+    or miss more than noise, those are tried, too, that the force shows, the plainest first.
     """
     try:
         missing = force_of(study, model)
@@ -107,13 +108,24 @@ def sought(study: Study, model: Refit) -> Sought | None:
         return None
     if not law.is_foreseen:
         return Sought(model, missing, foreseen, None, "foresees too little of it")
-    found = judged(study, model, missing, law, foreseen)
-    settled = found.found is not None and not LAW_RESOLVED < found.found.left < LOST_LEAST
-    if law.shown or settled:
-        return found
-    shown = missing.shown()
-    other = judged(study, model, missing, shown, foreseen) if shown.is_foreseen else found
-    return min(found, other, key=lambda one: inf if one.model is None else one.model.misfit)
+    tried = list[Sought]()
+    for likely in _likely(missing, law):
+        tried.append(judged(study, model, missing, likely, foreseen))
+        found = tried[-1].found
+        if found is not None and (found.left <= LAW_RESOLVED or (found.left >= LOST_LEAST and not law.shown)):
+            break
+    return min(tried, key=lambda one: inf if one.model is None else one.model.misfit)
+
+
+def _likely(missing: MissingForce, law: Law) -> Iterator[Law]:
+    """Yield a law, then those that the force shows: the plainest, and one of two variables if that pays."""
+    yield law
+    shown = law if law.shown else missing.shown()
+    if shown is not law and shown.is_foreseen:
+        yield shown
+    richer = Showing(missing.site, missing.settled).law(among=STATIC)
+    if richer.is_foreseen and richer.variables != shown.variables:
+        yield richer
 
 
 def judged(
