@@ -109,7 +109,7 @@ def sought(study: Study, model: Refit) -> Sought | None:
     if not law.is_foreseen:
         return Sought(model, missing, foreseen, None, "foresees too little of it")
     tried = list[Sought]()
-    for likely in _likely(missing, law):
+    for likely in likely_laws(missing, law):
         tried.append(judged(study, model, missing, likely, foreseen))
         found = tried[-1].found
         if found is not None and (found.left <= LAW_RESOLVED or (found.left >= LOST_LEAST and not law.shown)):
@@ -117,7 +117,7 @@ def sought(study: Study, model: Refit) -> Sought | None:
     return min(tried, key=lambda one: inf if one.model is None else one.model.misfit)
 
 
-def _likely(missing: MissingForce, law: Law) -> Iterator[Law]:
+def likely_laws(missing: MissingForce, law: Law) -> Iterator[Law]:
     """Yield a law, then those that the force shows: the plainest, and one of two variables if that pays."""
     yield law
     shown = law if law.shown else missing.shown()

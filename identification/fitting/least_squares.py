@@ -138,7 +138,8 @@ def _tried(
         found, slopes = (residuals(x, False)[0], here.slopes) if learnt else _sloped(residuals, x)
     except InertanceError:
         return -inf, here.residual, here.slopes
-    return (here.cost - float(found @ found)) / promised, found, slopes
+    with np.errstate(over="ignore"):  # of a run that leads far away
+        return (here.cost - float(found @ found)) / promised, found, slopes
 
 
 def _learnt(slopes: Array, rest: Array, found: Array, step: Array) -> Array:

@@ -15,9 +15,12 @@ from inertance.diagnosis.law.axes import Axis, Grid
 from inertance.diagnosis.law.drawing import Drawing
 from inertance.diagnosis.law.in_place import in_place
 from inertance.diagnosis.law.law import rows_of
-from inertance.diagnosis.law.sought import sought
+from inertance.diagnosis.law.polish import first_trial
+from inertance.diagnosis.law.regression import own_of
+from inertance.diagnosis.law.sought import likely_laws, sought
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.record_start import reach_of
 from inertance.identification import Accuracy, Campaign, Filter, Multisine, Record, sampled
 
 NOISE, RATE, SECONDS, BEGINS = 1e-4, 200.0, 6.0, 12.0
@@ -42,6 +45,13 @@ def rotor(*parts: ia.Component, c: float = 40.0, d: float = 0.12) -> ia.Network:
         net.add(extra=part)
         net.connect(net.motor.flange, net.extra.flange_a).connect(net.extra.flange_b, net.load.flange)
     return net
+
+
+class Rubbing(ia.rotational.CompliantWithSpeed):
+    """Torque that rises over speed, and by six times as much where the joint stands in the middle."""
+
+    def equations(self) -> Any:
+        yield self.tau == (0.2 + ca.exp(-((self.phi_rel / 0.02) ** 2))) * 0.8 * ca.tanh(self.w_rel / 0.3)
 
 
 class Waves(ia.CompliantWithSpeed):
@@ -99,8 +109,13 @@ def fitted(records: Campaign) -> tuple[Study, Any]:
 
 @pytest.fixture(scope="module")
 def slipping() -> Campaign:
-    """Return records of a rotor with a clutch in its coupling, of which one side each is measured."""
-    true, rng, records = rotor(Clutch(), c=37.4, d=0.133), np.random.default_rng(4), []
+    """Return records of a rotor with a clutch in its coupling."""
+    return turned(Clutch())
+
+
+def turned(part: ia.Component) -> Campaign:
+    """Return records of a rotor with a part beside its coupling, of which one side each is measured."""
+    true, rng, records = rotor(part, c=37.4, d=0.133), np.random.default_rng(4), []
     noise = {"w": 0.017, "angle": 0.005}
     for number in range(3):
         shape = Multisine(rms=1.1, low=0.3, high=8.0, period=5.0, seed=number)
@@ -149,6 +164,22 @@ def test_what_the_force_shows_is_a_law_of_free_runs(slipping: Campaign) -> None:
     true = sum(0.25 * (np.tanh((x - w) / WIDTH) + np.tanh(w / WIDTH)) for w in SPEEDS)
     away = np.all([np.abs(x - w) > 0.06 for w in SPEEDS], axis=0) & (np.abs(x) < 0.4)
     assert np.sqrt(np.mean((f - true)[away] ** 2)) < 0.06
+
+
+def test_a_state_that_leaves_no_trace_stays_where_it_is(slipping: Campaign) -> None:
+    """Both sides begin at one speed where a law holds them: how far apart is told by nothing that is seen."""
+    law = ia.missing_force(slipping, "coupling").shown()
+    for run in first_trial(law.runs[0].bench.study, law).runs:
+        columns, shared, priors = run.columns()
+        moved = own_of(columns[:, :, 0], columns[:, :, 1 + shared :], priors)
+        assert (np.abs(moved) <= reach_of(run.experiment, run.found)).all()
+
+
+def test_a_map_is_tried_after_the_curve_of_one_variable() -> None:
+    missing = ia.missing_force(turned(Rubbing()), "coupling")
+    assert missing.shown().variables == ("speed",)
+    likely = [law.variables for law in likely_laws(missing, missing.shown())]
+    assert likely == [("speed",), ("position", "speed")]
 
 
 def test_one_law_takes_the_place_of_effects_whatever_it_foresees() -> None:
