@@ -19,7 +19,7 @@ from ..models.network_predictor import NetworkPredictor
 from ..models.probes import motion_at
 from ..models.study import Study
 from ..search.record_run import RecordRun
-from ..search.record_start import begun, nuisance_slopes, reach_of
+from ..search.record_start import begun, nuisance_slopes, reach_of, ties_of
 from .course import Course
 
 
@@ -189,8 +189,7 @@ class Beside:
         own = np.swapaxes(free.reshape(shape[1], shape[0], -1), 0, 1) * self._counts[:, :, None]
         weights = np.zeros(own.shape[2])
         if self.begin.start is not None:
-            reach = reach_of(experiment, found)
-            weights[: len(reach)] = np.divide(1.0, reach, out=np.zeros_like(reach), where=reach > 0)
+            weights[: len(self.begin.start)] = ties_of(reach_of(experiment, found))
         if experiment.unknown:
             end = own.shape[2] - len(experiment.offset)
             place = slice(end - len(experiment.unknown), end)

@@ -166,7 +166,7 @@ def settled(
     run, tie, guess = run_from(begin), np.zeros(len(begin)), begin
     if near is not None:
         guess, reach = near, run.reach
-        tie[: len(reach)] = np.divide(1.0, reach, out=np.zeros_like(reach), where=reach > 0)
+        tie[: len(reach)] = ties_of(reach)
     offsets = run.weighed[1][:, len(begin) :]
     residual, slopes = lifted(run)
     for _ in range(START_STEPS):
@@ -200,6 +200,11 @@ def reach_of(experiment: Experiment, found: Predicted) -> Array:
         for values in ({n: experiment.compared.values[n] for n in found.values}, found.values)
     ]
     return found.reach * max(1.0, moved[0] / moved[1]) if moved[1] > 0 else np.zeros_like(found.reach)
+
+
+def ties_of(reach: Array) -> Array:
+    """Return weights that hold states about as near as they get in a run; 0 for those that stay at rest."""
+    return np.divide(1.0, reach, out=np.zeros_like(reach), where=reach > 0)
 
 
 def solved(slopes: Array, residual: Array) -> Array:
