@@ -46,6 +46,7 @@ LEAST_STRETCHES = 40  # [1] wanted in all test records; theory: errors of a stan
 # Which effects are fitted
 RUNS_PER_MODEL = 200  # [1] of each, fitted from several starts and probed, for the choice of solver; effort
 MOST_EFFECTS = 3  # [1] in a verdict; blind
+EFFECTS_BEFORE_LAW = 2  # [1] that leave more than noise beside which a law alone is looked for; effort
 LEAST_CHI_SQUARED_GAIN = 40.0  # [chi squared] below which no effect is worth a fit; nulls
 CONTENDERS_PER_ROUND = 12  # [1] fitted in each round; effort
 CONTENDERS_BESIDE_HELD = 6  # [1] fitted from where parameters that ran away were given; effort

@@ -9,6 +9,7 @@ from math import inf
 from ..components import InertanceError
 from . import criteria
 from .law.forced import screened_along
+from .law.sought import Sought, sought
 from .models.study import FMUStudy, Study
 from .search.ahead import gone_ahead
 from .search.choice import taken
@@ -23,7 +24,7 @@ from .search.ringing import behind_low_pass
 from .search.round import Round, follow, go_on, run_round
 from .search.tried import Tried, without
 from .verdict.beyond import beyond_the_list
-from .verdict.decide import certain_part, decided, explains
+from .verdict.decide import certain_part, decided, explains, leaves_noise
 from .verdict.verdict import Verdict
 
 
@@ -41,6 +42,7 @@ class Investigation:
         rivals: of each effect, what comes close to it beside the others.
         notes: what the verdict says beside its results.
         known: what stands if the search that has begun anew comes to nothing.
+        law: what came of looking for a static law beside no effect.
     """
 
     study: Study
@@ -53,6 +55,8 @@ class Investigation:
     rivals: Rivals = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     known: Investigation | None = None
+    law: Sought | None = None
+    asked: bool = False  # whether a law was looked for
     ahead: bool = False  # whether models of two effects that say nothing alone were tried
     looked_at: Refit | None = None  # whose effects were last held against all others
 
@@ -72,7 +76,7 @@ class Investigation:
         """Return the verdict, with a law of its own where nothing listed explains enough."""
         told = self.known if self.known and self.study.late() and not self.best.effects else self
         verdict = decided(told.study, told.start, told.base, told.best, told.rounds, self.notes, self.rivals)
-        return beyond_the_list(told.study, verdict)
+        return beyond_the_list(told.study, verdict, told.law)
 
     def broken_off(self) -> Verdict:
         """Return the verdict on what is known, for which nothing more is begun."""
@@ -94,6 +98,8 @@ class Investigation:
         """Return the best model with one more effect; None if there is none, or it is not looked for."""
         if not _may_go_on(self.best, self.base, self.study):
             return None
+        if len(self.best.effects) >= criteria.EFFECTS_BEFORE_LAW and self._is_a_law():
+            return None
         done = run_round(self.study, self.best, self.rounds, self.before)
         other = None if self.before else _recast(self.study, self.start, done)
         if other is not None:
@@ -111,6 +117,8 @@ class Investigation:
         if self.ahead or not self.rounds or explains(self.best, self.base, self.study):
             return None
         self.ahead = True
+        if self._is_a_law() or (self.law is not None and self.law.follows):
+            return None
         named = certain_part(self.best, self.base, self.rounds, self.study).effects
         found = gone_ahead(
             self.study,
@@ -123,6 +131,20 @@ class Investigation:
             return None
         self.best, chosen = found
         return chosen
+
+    def _is_a_law(self) -> bool:
+        """Tell whether one static law alone leaves nothing but noise, which then stands for all effects.
+
+        It is looked for once, in whole records.
+        """
+        if not self.asked and not self.study.late() and not isinstance(self.study, FMUStudy):
+            self.study.tell("looking for a law of its own")
+            self.law, self.asked = sought(self.study, self.base), True
+        model = None if self.law is None else self.law.model
+        if model is None or not leaves_noise(model, self.study):
+            return False
+        self.best = self.base
+        return True
 
     def _holds_against_all_others(self) -> bool:
         """Exchange effects for what does better beside the others; tell whether one was."""
@@ -169,6 +191,7 @@ class Investigation:
         """Begin the search anew in a study of other records or other noise; what was fitted stays known."""
         self.study, self.start, self.base, self.tried = study, start, base, Tried(study)
         self.best, self.rivals, self.before, self.rounds, self.ahead = base, {}, self.rounds, [], False
+        self.law, self.asked = None, False
 
 
 def _recast(study: Study, start: Refit, done: Round) -> Recast | None:

@@ -26,7 +26,7 @@ from .law import Law
 from .likened import likened_across, likened_in_series
 from .missing_force import MissingForce, force_of
 from .pieces import Follower, cut
-from .polish import placed, polished
+from .polish import as_it_is, placed, polished
 from .search import Search
 from .sized import sized
 from .sought import Sought, best_law, refusal
@@ -45,6 +45,7 @@ class InPieces:
         missing: the force.
         drawn: the law that foresees most of it.
         foreseen: how much of the force a law foresees, by site.
+        follows: whether free runs with the law follow all of the training records; then nothing is in series.
     """
 
     study: Study
@@ -52,24 +53,30 @@ class InPieces:
     missing: MissingForce
     drawn: Law
     foreseen: dict[str, float]
+    follows: bool = False
 
     @classmethod
-    def of(cls, study: Study, model: Refit, known: MissingForce | None = None) -> InPieces | None:
+    def of(cls, study: Study, model: Refit, known: Sought | None = None) -> InPieces | None:
         """Return it for a model; None for one without states, or which cannot be run beside a force.
 
-        The missing force may be known. A model without states, as of a rig that prescribes all motion, loses
-        nothing in free runs.
+        What came of a law in whole records may be known. A model without states, as of a rig that prescribes
+        all motion, loses nothing in free runs.
         """
         if study.is_led:
             return None
+        if known is not None and known.found is not None and known.follows:
+            return cls(study, model, known.missing, known.found.law, dict(known.foreseen), follows=True)
         try:
-            return cls(study, model, *best_law(study, model, known or force_of(study, model)))
+            missing = force_of(study, model) if known is None else known.missing
+            return cls(study, model, *best_law(study, model, missing))
         except InertanceError:
             return None
 
     @cached_property
     def in_series(self) -> list[Candidate]:
         """Effects in series with a spring that are like the force, with the sizes that short runs tell."""
+        if self.follows:
+            return []
         try:
             return sized(self.study, self.missing, likened_in_series(self.missing, self.model))
         except InertanceError:
@@ -79,7 +86,7 @@ class InPieces:
         """Return it with the force at the likeliest spring, where it is sought at none."""
         sites = {site.path: site for site in self.missing.search.bench.sites}
         springs = [one.site for one in self.missing.ranking if sites[one.site].spring]
-        if self.missing.site.spring or not springs:
+        if self.follows or self.missing.site.spring or not springs:
             return None
         try:
             return replace(self, missing=force_of(self.study, self.model, springs[0]))
@@ -105,6 +112,8 @@ class InPieces:
     @computing("the search for what records in pieces lack")
     def _learnt(self) -> tuple[Law | None, list[Candidate]]:
         """What is learnt of the law, until it follows the records or an effect that is like it is near."""
+        if self.follows:
+            return self.drawn, []
         law, listed = None, list[Candidate]()
         for law, left in _rounds(self.study, self.drawn, self.missing):
             listed = likened_across(law, self.model)
@@ -126,7 +135,7 @@ class InPieces:
         """Return what comes of the law in pieces of the records, held against a model in them."""
         assert self.law is not None
         try:
-            found = polished(pieces, self.law)
+            found = (as_it_is if self.follows else polished)(pieces, self.law)
         except InertanceError:
             return None
         return Sought(base, self.missing, self.foreseen, found, refusal(base, found))

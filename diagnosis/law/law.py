@@ -212,17 +212,21 @@ def rows_of(grid: Grid, values: Array) -> list[tuple[float, ...]]:
     """Return rows of a table; of a smooth law so many that what is between them does not matter.
 
     A map has one point more beyond each end, where it is as at that end: its slopes there, in one variable at
-    each value of the other, are no machine's.
+    each value of the other, are no machine's. A curve has one where it would push a machine away ever more.
     """
     axis, *rest = grid.axes
     if rest:
         wider = Grid(tuple(replace(axis, points=_wider(axis.points)) for axis in grid.axes))
         sizes = [len(axis.points) for axis in grid.axes]
         return _written(wider.places, np.pad(values.reshape(sizes), 1, mode="edge").ravel())
-    if not axis.smooth:
-        return _written(grid.places, values)
-    fine = np.linspace(axis.points[0], axis.points[-1], LAW_FINER * (len(axis.points) - 1) + 1)
-    return _written(fine[:, None], axis.basis(fine) @ values)
+    points = axis.points
+    if axis.smooth:
+        points = np.linspace(points[0], points[-1], LAW_FINER * (len(points) - 1) + 1)
+        values = axis.basis(points) @ values
+    pushes = np.diff(values)[[0, -1]] < 0
+    kept = slice(0 if pushes[0] else 1, None if pushes[1] else -1)
+    further = np.pad(points, 1, mode="reflect", reflect_type="odd")
+    return _written(further[kept, None], np.pad(values, 1, mode="edge")[kept])
 
 
 def _wider(points: Array) -> Array:

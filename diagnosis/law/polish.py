@@ -90,7 +90,17 @@ def polished(study: Study, law: Law) -> Polished:
         SimulationError: if it cannot be run.
     """
     with np.errstate(over="ignore", invalid="ignore"):  # of models that a law makes unstable, told below
-        return _polished(study, law)
+        return _held(study, law, _nearest(study, law, first_trial(study, law)))
+
+
+def as_it_is(study: Study, law: Law) -> Polished:
+    """Return a law as it was fitted to other records, or to these in other parts, held against a study.
+
+    Raises:
+        SimulationError: if it cannot be run.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        return _held(study, law, first_trial(study, law))
 
 
 def first_trial(study: Study, law: Law) -> Trial:
@@ -105,8 +115,8 @@ def first_trial(study: Study, law: Law) -> Trial:
     return min(tried, key=lambda one: (-sum(one.followed), one.squares))
 
 
-def _polished(study: Study, law: Law) -> Polished:
-    first, here = law.runs[0].bench, first_trial(study, law)
+def _nearest(study: Study, law: Law, here: Trial) -> Trial:
+    """Return the trial to which steps lead from one."""
     whole = [len(run.found.time) for run in here.runs]
     for number in range(LAW_POLISHES):
         counted = followed = here.followed
@@ -120,8 +130,13 @@ def _polished(study: Study, law: Law) -> Polished:
         here, farther = there, sum(there.followed) > sum(followed)
         if drop < START_DROP_RATIO and not farther:
             break
+    return here
+
+
+def _held(study: Study, law: Law, here: Trial) -> Polished:
+    """Return a law as it is in a trial, held against all records."""
     found = replace(law, values=here.values, fit=replace(law.fit, moved=_moved(study, here.given)))
-    joint = JointFit(study, here.given, [*first.effects, placed(found)])
+    joint = JointFit(study, here.given, [*law.runs[0].bench.effects, placed(found)])
     return Polished(found, joint.seen(joint.start), _changing(found, here), here.left)
 
 
@@ -154,15 +169,15 @@ def _run(study: Study, law: Law, values: Array, given: Mapping[str, float], begi
 def _step(study: Study, law: Law, here: Trial) -> Callable[[float], Trial]:
     """Return what makes a trial a share of the way to what is best along the runs so far."""
     before = _moved(study, here.given)
-    tallies = Tallies.of(here.runs, law.number, law.grid, law.origin, here.values)
+    parts = [beside(run, law.number, law.grid, law.origin, here.values) for run in here.runs]
+    tallies = Tallies.of_parts(here.runs, law.number, parts)
     stiffness = None if law.shown else law.fit.stiffness  # what the force bore says nothing of what runs do
     found = fitted(tallies.held(before, LAW_HELD_SHARE), law.grid, stiffness=stiffness)
     unknown = np.concatenate([found.moved, found.values])
-    begun = []
-    for run in here.runs:
-        stacked, own, priors, _ = beside(run, law.number, law.grid, law.origin, here.values)
-        left = stacked[:, :, 0] - stacked[:, :, 1:] @ unknown
-        begun.append(own_of(left, own, priors))
+    begun = [
+        own_of(stacked[:, :, 0] - stacked[:, :, 1:] @ unknown, own, priors)
+        for stacked, own, priors, _ in parts
+    ]
 
     def trial(share: float) -> Trial:
         values = here.values + share * (found.values - here.values)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,6 +14,7 @@ from .along import Beside
 from .axes import Grid
 
 NOTHING = 1e-300  # of a fold that no run reaches
+Parts = tuple[Array, Array, Array, int]  # of a run: see `beside`
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,15 +45,22 @@ class Tallies:
         Raises:
             SimulationError: if the model is unstable with it.
         """
+        return cls.of_parts(runs, number, (beside(run, number, grid, origin, within) for run in runs))
+
+    @classmethod
+    def of_parts(cls, runs: Sequence[Beside], number: int, parts: Iterable[Parts]) -> Tallies:
+        """Return those of runs whose parts are known.
+
+        Raises:
+            SimulationError: if the model is unstable with what is at the site.
+        """
         grams, counts, shared = [], [], 0
-        for run in runs:
-            stacked, own, priors, shared = beside(run, number, grid, origin, within)
-            left = apart(stacked, own, priors)
-            pieces = LAW_FOLDS
-            for piece in np.array_split(left, pieces):
+        for run, part in zip(runs, parts, strict=True):
+            stacked, own, priors, shared = part
+            for piece in np.array_split(apart(stacked, own, priors), LAW_FOLDS):
                 flat = piece.reshape(-1, piece.shape[2])
                 grams.append(flat.T @ flat)
-                counts.append(run.experiment.independent / pieces)
+                counts.append(run.experiment.independent / LAW_FOLDS)
         if not np.isfinite(grams).all():
             raise SimulationError(f"a force at {runs[0].bench.sites[number].path} makes the model unstable")
         return cls(np.array(grams), np.array(counts), shared)
@@ -85,9 +93,7 @@ class Tallies:
         return replace(self, gram=gram)
 
 
-def beside(
-    run: Beside, number: int, grid: Grid | None, origin: float, within: Array | None
-) -> tuple[Array, Array, Array, int]:
+def beside(run: Beside, number: int, grid: Grid | None, origin: float, within: Array | None) -> Parts:
     """Return what a run misses without a law, slopes, what points add; own slopes, their priors."""
     columns, shared, priors = run.columns()
     parts = [columns[:, :, : 1 + shared]]

@@ -59,6 +59,11 @@ class Sought:
         return self.found.model if self.found is not None and not self.refused else None
 
     @property
+    def follows(self) -> bool:
+        """Whether free runs with the law follow the training records, be it refused or not."""
+        return self.found is not None and self.found.left <= LAW_RESOLVED
+
+    @property
     def ruled_out(self) -> str:
         """What it rules out that no law holds, in words."""
         most, sites = max(0.0, *self.foreseen.values()), " or ".join(self.foreseen)
@@ -112,7 +117,7 @@ def sought(study: Study, model: Refit) -> Sought | None:
     for likely in likely_laws(missing, law):
         tried.append(judged(study, model, missing, likely, foreseen))
         found = tried[-1].found
-        if found is not None and (found.left <= LAW_RESOLVED or (found.left >= LOST_LEAST and not law.shown)):
+        if tried[-1].follows or (found is not None and found.left >= LOST_LEAST and not likely.shown):
             break
     return min(tried, key=lambda one: inf if one.model is None else one.model.misfit)
 

@@ -28,17 +28,18 @@ from .named import Named
 from .verdict import Evidence, Verdict
 
 
-def beyond_the_list(study: Study, verdict: Verdict) -> Verdict:
+def beyond_the_list(study: Study, verdict: Verdict, known: Sought | None = None) -> Verdict:
     """Return a verdict that knows of a static law of its own, or of the force that none explains.
 
     It is looked for where something stays unexplained, or where several static effects at one site leave
-    more than noise, if there is time and the model's equations are known.
+    more than noise, if there is time and the model's equations are known. What came of it beside a model may
+    be known.
     """
     if study.late() or isinstance(study, FMUStudy):
         return verdict
     if verdict.verdict not in OPEN_END:
         return _in_place(study, verdict, several=2)
-    found = _in_whole(study, verdict)
+    found = _in_whole(study, verdict, known)
     if _is_near(verdict) or (found.verdict not in OPEN_END and not _is_lost(found)):
         return found
     inner = _in_pieces(study, replace(verdict, sought=found.sought))
@@ -63,10 +64,17 @@ def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
     study.tell("looking for what holds in pieces of the records")
     evidence, known = verdict.evidence, verdict.sought
     of_refit = known is not None and not known.before.effects
-    inside = InPieces.of(evidence.study, evidence.refit, known.missing if known and of_refit else None)
+    inside = InPieces.of(evidence.study, evidence.refit, known if of_refit else None)
     if inside is None:
         return verdict
-    return _listed_in_pieces(verdict, inside) or _law_in_pieces(verdict, inside) or verdict
+    listed = _listed_in_pieces(verdict, inside)
+    if listed is not None and listed.verdict not in OPEN_END:
+        return listed
+    law = _law_in_pieces(verdict, inside)
+    if listed is not None and law is not None:
+        leaves_less = 1.0 - law.closed <= LAW_LEAVES_SHARE * (1.0 - listed.closed)
+        return law if leaves_less else listed
+    return law or listed or verdict
 
 
 def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
@@ -143,15 +151,26 @@ def _told(study: Study, pieces: Study) -> str:
     )
 
 
-def _in_whole(study: Study, verdict: Verdict) -> Verdict:
+def _in_whole(study: Study, verdict: Verdict, known: Sought | None) -> Verdict:
     """Return the verdict with a law that holds in free runs of whole records."""
-    study.tell("looking for a law of its own")
-    evidence = verdict.evidence
-    found = sought(evidence.study.displaced(evidence.after.effects), evidence.after)
+    evidence, found = verdict.evidence, known
+    if known is None or not _is_enough(known, evidence.after):
+        study.tell("looking for a law of its own")
+        found = sought(evidence.study.displaced(evidence.after.effects), evidence.after)
     if found is None or found.model is None:
-        return _in_place(study, replace(verdict, sought=found), several=1)
+        told = replace(verdict, sought=found)
+        return told if found is not None and found.follows else _in_place(study, told, several=1)
     found = _alone(evidence.study, found) or found
     return _in_its_place(verdict, found) or _with_law(study, verdict, found)
+
+
+def _is_enough(known: Sought, model: Refit) -> bool:
+    """Tell whether no law need be looked for beside a model, by what came of it beside another one.
+
+    A law that follows the training records leaves nothing to a second one.
+    """
+    law = known.model
+    return known.before is model or (known.follows and (law is None or law.misfit < model.misfit))
 
 
 def _in_its_place(verdict: Verdict, found: Sought) -> Verdict | None:

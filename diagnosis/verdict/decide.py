@@ -62,7 +62,7 @@ def decided(
     Where the time of the study is over, nothing is said of what was not looked for.
     """
     alone = replace(study, executor=None, report=None)
-    all_told = not best.effects or study.late() or _leaves_noise(best, study)
+    all_told = not best.effects or study.late() or leaves_noise(best, study)
     changing, unknown = list[Unsteady](), list[str]()
     if not all_told:
         changing, unknown = _told("whether effects change with time", alone, best, unsteady)
@@ -141,7 +141,7 @@ def closed_by(best: Refit, base: Refit, study: Study) -> float:
     return float(np.clip((base.misfit - best.misfit) / max(base.misfit - noise, 1e-9), 0.0, 1.0))
 
 
-def _leaves_noise(model: Refit, study: Study) -> bool:
+def leaves_noise(model: Refit, study: Study) -> bool:
     """Tell whether what a model misses is not clearly more than noise, or looks like noise itself."""
     return model.misfit <= COLOURED_MISFIT or model.is_noise(study.judged)
 
@@ -152,7 +152,7 @@ def explains(best: Refit, base: Refit, study: Study) -> bool:
     In pieces of records, in which an error grows until they end, that counts by its square.
     """
     share = closed_by(best, base, study) if study.pieces is None else gap_taken(best, base)
-    return _leaves_noise(best, study) or share >= EXPLAINED_GAP_SHARE
+    return leaves_noise(best, study) or share >= EXPLAINED_GAP_SHARE
 
 
 def certain_part(
@@ -185,7 +185,7 @@ def _word(evidence: Evidence) -> str:
     refitted, best, study = evidence.refit, evidence.after, evidence.study
     if best.effects:
         return "effect" if explains(best, refitted, study) else "partial"
-    if not _leaves_noise(refitted, study):
+    if not leaves_noise(refitted, study):
         return "unknown"
     moved = moved_parameters(evidence.campaign, best.parameters)
     return "parameters" if moved or evidence.nominal.misfit > COLOURED_MISFIT * refitted.misfit else "none"
@@ -205,7 +205,7 @@ def _noises(evidence: Evidence, gaps: Mapping[str, Gap]) -> Iterator[str]:
     """Say which noise is larger than it was thought to be, and which rests on what a model leaves."""
     for name, gap in gaps.items():
         floor, left = evidence.campaign.floors[name], gap.after / gap.floor
-        if left > COLOURED_MISFIT and _leaves_noise(evidence.after, evidence.study):
+        if left > COLOURED_MISFIT and leaves_noise(evidence.after, evidence.study):
             told = f"what is left is white noise, but {left:.3g} times that assumed ({floor.source})"
             yield f"{name}: {told}; correct [noise]"
         if floor.passed < inf:

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,12 @@ from inertance.cli.diagnose import show
 from inertance.diagnosis import Verdict, write_report
 from inertance.diagnosis.effects.effect import effect_of
 from inertance.diagnosis.effects.hypothesis import Hypothesis
+from inertance.diagnosis.investigation import Investigation
+from inertance.diagnosis.law.in_pieces import InPieces, refitted
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.report.text import advice
 from inertance.diagnosis.search.joint_fit import JointFit
+from inertance.diagnosis.search.tried import Tried
 from inertance.diagnosis.verdict.beyond import beyond_the_list
 from inertance.diagnosis.verdict.decide import decided
 from inertance.identification import Accuracy, Campaign, Multisine, Record, sampled
@@ -164,6 +168,57 @@ def test_a_law_takes_the_place_of_effects_that_are_laws_like_it(word: str, effec
     assert found.law.site.path == "link"
     assert (found.effects, found.confidence, found.equivalent) == ((), (), ())
     assert found.closed > 0.95
+
+
+def test_a_law_alone_ends_the_search_before_a_third_effect() -> None:
+    study, named = with_effects("partial", quadratic_damping={"c": 5.0}, cubic_stiffness={"k3": 100.0})
+    told, evidence = list[str](), named.evidence
+    study = replace(study, report=told.append)
+    given = study, evidence.nominal, evidence.refit, evidence.after, Tried(study)
+    found = Investigation(*given)
+    found.run()
+    assert found.rounds == []
+    verdict = found.decided()
+    assert (verdict.verdict, verdict.effects) == ("law", ())
+    assert verdict.law is not None
+    assert verdict.law.site.path == "link"
+    assert told.count("looking for a law of its own") == 1
+
+
+def test_a_law_that_follows_training_records_is_judged_as_it_is_in_pieces(lawful: Verdict) -> None:
+    assert lawful.sought is not None
+    study, refit = lawful.evidence.study, lawful.evidence.refit
+    inside = InPieces.of(study, refit, lawful.sought)
+    assert inside is not None
+    assert inside.follows
+    assert (inside.in_series, inside.across, inside.at_spring()) == ([], [], None)
+    assert inside.law is not None
+    pieces = inside.cut_by_law()
+    assert pieces is not None
+    found = inside.sought(pieces, refitted(pieces, refit)[1])
+    assert found is not None
+    assert found.law is not None, found.refused
+    assert (found.law.values == inside.law.values).all()
+
+
+@pytest.mark.parametrize(
+    ("listed", "closed", "named"),
+    [
+        ("effect", 0.9, "listed"),
+        ("partial", 0.8, "law"),
+        ("partial", 0.93, "listed"),
+        ("", 0.0, "law"),
+    ],
+)
+def test_a_law_in_pieces_is_named_before_a_part_of_it(
+    monkeypatch: pytest.MonkeyPatch, lawful: Verdict, listed: str, closed: float, named: str
+) -> None:
+    beyond = import_module("inertance.diagnosis.verdict.beyond")
+    law, part = replace(lawful, closed=0.95), replace(lawful, verdict=listed, closed=closed)
+    monkeypatch.setattr(beyond, "_listed_in_pieces", lambda *_: part if listed else None)
+    monkeypatch.setattr(beyond, "_law_in_pieces", lambda *_: law)
+    found = beyond._in_pieces(lawful.evidence.study, lawful)
+    assert found is {"law": law, "listed": part}[named]
 
 
 def test_one_effect_that_is_named_stays() -> None:

@@ -15,9 +15,10 @@ from inertance.diagnosis.law.axes import Axis, Grid
 from inertance.diagnosis.law.drawing import Drawing
 from inertance.diagnosis.law.in_place import in_place
 from inertance.diagnosis.law.law import rows_of
+from inertance.diagnosis.law.missing_force import force_of
 from inertance.diagnosis.law.polish import first_trial
 from inertance.diagnosis.law.regression import own_of
-from inertance.diagnosis.law.sought import likely_laws, sought
+from inertance.diagnosis.law.sought import judged, likely_laws
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.record_start import reach_of
@@ -153,11 +154,12 @@ def test_a_law_that_holds_the_speed_is_shown_by_the_force(slipping: Campaign) ->
 
 def test_what_the_force_shows_is_a_law_of_free_runs(slipping: Campaign) -> None:
     study, base = fitted(slipping)
-    found = sought(study, base)
-    assert found is not None
+    missing = force_of(study, base)
+    law = missing.shown()
+    assert law.shown
+    found = judged(study, base, missing, law, {})
     assert found.law is not None, found.refused
     assert found.model is not None
-    assert found.law.shown
     assert (found.law.site.path, found.law.variables) == ("coupling", ("speed",))
     assert found.model.misfit < 1.2 < 0.5 * base.misfit
     x, f = found.law.points[:, 0], found.law.values
@@ -273,6 +275,15 @@ def test_a_map_holds_its_ends() -> None:
     assert (table[1:-1, 1:-1].ravel() == values).all()
     assert (table[0] == table[1]).all()
     assert (table[:, -1] == table[:, -2]).all()
+
+
+@pytest.mark.parametrize("variable", ["position", "speed"])
+def test_a_curve_holds_the_ends_at_which_it_pushes(variable: str) -> None:
+    grid = Grid((Axis(variable, np.array([-1.0, 0.0, 1.0])),))
+    pulls, pushes, bump = ([-1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [0.0, 1.0, 0.0])
+    assert rows_of(grid, np.array(pulls)) == [(-1.0, -1.0), (0.0, 0.0), (1.0, 1.0)]
+    assert rows_of(grid, np.array(pushes)) == [(-2.0, 1.0), (-1.0, 1.0), (0.0, 0.0), (1.0, -1.0), (2.0, -1.0)]
+    assert rows_of(grid, np.array(bump))[-1] == (2.0, 0.0)
 
 
 def test_more_points_change_nothing_of_a_law(slipping: Campaign) -> None:
