@@ -180,7 +180,7 @@ class Investigation:
         given = self.study, heard, self.start, self.base, chosen, self.rounds
         again = reweighed(*given) if stays else None
         if again is not None:
-            self.study, self.tried = heard, Tried(heard)
+            self.study, self.tried, self.law, self.asked = heard, Tried(heard), None, False
             self.start, self.base, chosen, self.rounds = again
         elif not self.before:
             self._begin_anew(heard, *_refitted(heard, chosen.parameters))

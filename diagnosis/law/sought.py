@@ -119,7 +119,7 @@ def sought(study: Study, model: Refit) -> Sought | None:
         found = tried[-1].found
         if tried[-1].follows or (found is not None and found.left >= LOST_LEAST and not likely.shown):
             break
-    return min(tried, key=lambda one: inf if one.model is None else one.model.misfit)
+    return min(tried, key=lambda one: (inf if one.model is None else one.model.misfit, not one.follows))
 
 
 def likely_laws(missing: MissingForce, law: Law) -> Iterator[Law]:
