@@ -147,7 +147,7 @@ def test_nothing_is_sought_in_pieces_of_records_that_free_runs_follow(
         pieces.append(verdict)
         return verdict
 
-    monkeypatch.setattr(beyond, "_in_whole", lambda _, verdict: verdict)
+    monkeypatch.setattr(beyond, "_in_whole", lambda _, verdict, known: verdict)
     monkeypatch.setattr(beyond, "_in_pieces", noted)
     after = with_more(case.friction, left)
     found = replace(partial, evidence=replace(partial.evidence, after=after))

@@ -14,11 +14,11 @@ from inertance.diagnosis.law.aligned import aligned, loose
 from inertance.diagnosis.law.axes import Axis, Grid
 from inertance.diagnosis.law.drawing import Drawing
 from inertance.diagnosis.law.in_place import in_place
-from inertance.diagnosis.law.law import rows_of
+from inertance.diagnosis.law.law import Law, rows_of
 from inertance.diagnosis.law.missing_force import force_of
 from inertance.diagnosis.law.polish import first_trial
 from inertance.diagnosis.law.regression import own_of
-from inertance.diagnosis.law.sought import judged, likely_laws
+from inertance.diagnosis.law.sought import judged, likely_laws, sought
 from inertance.diagnosis.models.study import Study
 from inertance.diagnosis.search.joint_fit import JointFit
 from inertance.diagnosis.search.record_start import reach_of
@@ -152,20 +152,32 @@ def test_a_law_that_holds_the_speed_is_shown_by_the_force(slipping: Campaign) ->
         missing.shown("sped")
 
 
+def clutch_at(speeds: Any) -> Any:
+    return sum(0.25 * (np.tanh((speeds - w) / WIDTH) + np.tanh(w / WIDTH)) for w in SPEEDS)
+
+
+def off(law: Law) -> float:
+    """Return how far a law of the clutch is off between its steps [N.m rms]."""
+    x = law.points[:, 0]
+    away = np.all([np.abs(x - w) > 0.06 for w in SPEEDS], axis=0) & (np.abs(x) < 0.4)
+    return float(np.sqrt(np.mean((law.values - clutch_at(x))[away] ** 2)))
+
+
 def test_what_the_force_shows_is_a_law_of_free_runs(slipping: Campaign) -> None:
     study, base = fitted(slipping)
     missing = force_of(study, base)
     law = missing.shown()
     assert law.shown
-    found = judged(study, base, missing, law, {})
-    assert found.law is not None, found.refused
-    assert found.model is not None
-    assert (found.law.site.path, found.law.variables) == ("coupling", ("speed",))
-    assert found.model.misfit < 1.2 < 0.5 * base.misfit
-    x, f = found.law.points[:, 0], found.law.values
-    true = sum(0.25 * (np.tanh((x - w) / WIDTH) + np.tanh(w / WIDTH)) for w in SPEEDS)
-    away = np.all([np.abs(x - w) > 0.06 for w in SPEEDS], axis=0) & (np.abs(x) < 0.4)
-    assert np.sqrt(np.mean((f - true)[away] ** 2)) < 0.06
+    shown, found = judged(study, base, missing, law, {}), sought(study, base)
+    assert found is not None
+    for one in (shown, found):
+        assert one.law is not None, one.refused
+        assert one.model is not None
+        assert (one.law.site.path, one.law.variables) == ("coupling", ("speed",))
+        assert one.model.misfit < 1.2 < 0.5 * base.misfit
+        assert off(one.law) < 0.1 * np.ptp(clutch_at(np.linspace(-0.4, 0.4)))
+    assert found.law is not None
+    assert off(found.law) < 0.06
 
 
 def test_a_state_that_leaves_no_trace_stays_where_it_is(slipping: Campaign) -> None:
