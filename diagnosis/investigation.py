@@ -180,7 +180,7 @@ class Investigation:
         given = self.study, heard, self.start, self.base, chosen, self.rounds
         again = reweighed(*given) if stays else None
         if again is not None:
-            self.study, self.tried, self.law, self.asked = heard, Tried(heard), None, False
+            self._enter(heard)
             self.start, self.base, chosen, self.rounds = again
         elif not self.before:
             self._begin_anew(heard, *_refitted(heard, chosen.parameters))
@@ -189,9 +189,13 @@ class Investigation:
 
     def _begin_anew(self, study: Study, start: Refit, base: Refit) -> None:
         """Begin the search anew in a study of other records or other noise; what was fitted stays known."""
-        self.study, self.start, self.base, self.tried = study, start, base, Tried(study)
+        self._enter(study)
+        self.start, self.base = start, base
         self.best, self.rivals, self.before, self.rounds, self.ahead = base, {}, self.rounds, [], False
-        self.law, self.asked = None, False
+
+    def _enter(self, study: Study) -> None:
+        """Go on in a study of other records or other noise, in which nothing was tried."""
+        self.study, self.tried, self.law, self.asked = study, Tried(study), None, False
 
 
 def _recast(study: Study, start: Refit, done: Round) -> Recast | None:

@@ -72,9 +72,13 @@ def _in_pieces(study: Study, verdict: Verdict) -> Verdict:
         return listed
     law = _law_in_pieces(verdict, inside)
     if listed is not None and law is not None:
-        leaves_less = 1.0 - law.closed <= LAW_LEAVES_SHARE * (1.0 - listed.closed)
-        return law if leaves_less else listed
+        return law if _leaves_less(law.closed, listed.closed) else listed
     return law or listed or verdict
+
+
+def _leaves_less(closed: float, by_effects: float) -> bool:
+    """Tell whether a law that closes so much of a gap leaves so little that it stands in place of effects."""
+    return 1.0 - closed <= LAW_LEAVES_SHARE * (1.0 - by_effects)
 
 
 def _listed_in_pieces(verdict: Verdict, inside: InPieces) -> Verdict | None:
@@ -221,9 +225,9 @@ def _in_place(study: Study, verdict: Verdict, several: int) -> Verdict:
     found = _sought_without(evidence.study, after, parts)
     if found is None or found.law is None or found.model is None:
         return verdict
-    left, left_by_parts = (1.0 - closed_by(m, evidence.refit, study) for m in (found.model, after))
+    closed, by_parts = (closed_by(m, evidence.refit, study) for m in (found.model, after))
     alike = many and len(found.law.variables) == 1 and found.model.misfit <= after.misfit
-    return _with_law(study, verdict, found) if alike or left <= LAW_LEAVES_SHARE * left_by_parts else verdict
+    return _with_law(study, verdict, found) if alike or _leaves_less(closed, by_parts) else verdict
 
 
 def _by_site(model: Refit) -> list[list[Hypothesis]]:

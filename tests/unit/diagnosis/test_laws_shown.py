@@ -298,6 +298,26 @@ def test_a_curve_holds_the_ends_at_which_it_pushes(variable: str) -> None:
     assert rows_of(grid, np.array(bump))[-1] == (2.0, 0.0)
 
 
+@pytest.mark.parametrize(("variable", "reached"), [("position", "body.phi"), ("speed", "body.w")])
+def test_a_machine_beyond_a_curve_that_pushes_meets_what_is_at_its_end(variable: str, reached: str) -> None:
+    """The points of speed are uneven, and those of position smooth, as in a diagnosis."""
+    points = np.concatenate([-np.geomspace(5, 0.01, 15), [0.0], np.geomspace(0.01, 4, 12)])
+    axis = Axis(
+        variable, np.linspace(-3.0, 0.7, 24) if variable == "position" else points, variable == "position"
+    )
+    values = 0.2 * np.sin(6 * axis.points) - 0.3 * axis.points
+    kinds: Any = {"over": variable} | ({"interpolation": "smooth"} if axis.smooth else {})
+    part = rotational.TabulatedForce(table=rows_of(Grid((axis,)), values), **kinds)
+    net = ia.Network("turned", wall=rotational.Fixed(), part=part, body=rotational.Inertia(J=0.02))
+    net.add(drive=rotational.Torque(), brake=rotational.Damper(d=0.4))
+    net.connect(net.wall.flange, part.flange_a, net.brake.flange_a)
+    net.connect(part.flange_b, net.body.flange, net.brake.flange_b, net.drive.flange)
+    run = net.simulate(8.0, step=0.01, inputs={"drive.tau": lambda t: 5.0})
+    beyond = run["part.tau"][run[reached] > axis.points[-1] + 0.2]
+    assert len(beyond) > 100
+    assert beyond == pytest.approx(values[-1], rel=1e-7)  # a table has eight digits
+
+
 def test_more_points_change_nothing_of_a_law(slipping: Campaign) -> None:
     law = ia.missing_force(slipping).law("speed")
     finer = law.finer()
