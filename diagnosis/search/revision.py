@@ -42,10 +42,13 @@ def revised(best: Refit, rounds: Sequence[Round], tried: Tried, anew: bool = Fal
 def plainer(best: Refit, tried: Tried) -> Refit:
     """Return the model with special cases of its effects that do as well, fitted from where those are.
 
-    Fitted from elsewhere, they may have ended in another minimum.
+    Fitted from elsewhere, they may have ended in another minimum. None is tried that stands there already.
     """
     for position, placed in enumerate(best.effects):
+        there = {other.label for other in _others(placed, best).effects}
         for special in placed.specials:
+            if special.label in there:
+                continue
             if tried.study.late():
                 return best
             tried.study.tell(f"trying {special.label}, a special case, from where {placed.effect.kind} led")

@@ -365,6 +365,14 @@ def test_an_effect_gives_way_to_its_special_case_that_does_as_well(
     assert (best is richer) == (kind == "asymmetric_friction")
 
 
+def test_no_effect_gives_way_to_what_stands_there_already(cart: Any) -> None:
+    given = study(cart, leaning(cart, 0.6, 0.9), cart.rig(), {"spring.k": {"rel": 0.2}})
+    begun = [rail("guide", "asymmetric_friction", f_forward=0.5, f_backward=0.8), rail("guide", f_c=0.1)]
+    fit = JointFit(given, given.campaign.start, begun)
+    labels = [placed.label for placed in plainer(fit.seen(fit.start), Tried(given)).effects]
+    assert len(set(labels)) == len(labels) == 2
+
+
 def test_what_generalises_is_chosen_once_noise_is_known_beside_which_it_shows(
     cart: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
