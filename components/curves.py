@@ -2,52 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Literal
 
 import casadi as ca
 import numpy as np
 
 from ..base import Array, rows
-from .language import Expression, option
+from .language import Expression, Pieces, option
 from .tables import increasing
-
-Slopes = Callable[[Array, Array], Array]
-
-
-class PiecewisePolynomial:
-    """The curve through points by straight or, with slopes there, cubic pieces, straight beyond its ends."""
-
-    def __init__(self, x: Array, y: Array, slopes: Slopes | None = None) -> None:
-        h, rise = np.diff(x), np.diff(y) / np.diff(x)
-        begin, end = slopes(x, y)[[0, -1]] if slopes else rise[[0, -1]]
-        inner = [y[:-1], rise]
-        if slopes:
-            first, last = slopes(x, y)[:-1], slopes(x, y)[1:]
-            inner = [y[:-1], first, (3 * rise - 2 * first - last) / h, (first + last - 2 * rise) / h**2]
-        beyond = np.zeros((2, len(inner)))
-        beyond[:, :2] = (y[0], begin), (y[-1], end)
-        self._powers = np.column_stack([beyond[0], np.array(inner), beyond[1]])  # from the left end of each
-        self._x = x
-
-    def value(self, at: Expression) -> Expression:
-        """Return its value."""
-        return self._polynomial(self._powers, at)
-
-    def area(self, at: Expression) -> Expression:
-        """Return the area below it, from 0."""
-        orders = np.arange(1, len(self._powers) + 1)[:, None]
-        powers = np.vstack([np.zeros(self._powers.shape[1]), self._powers / orders])
-        passed = (powers[1:, 1:-1] * np.diff(self._x) ** orders).sum(axis=0)
-        powers[0, 2:] = np.cumsum(passed)
-        return self._polynomial(powers, at) - self._polynomial(powers, 0.0)
-
-    def _polynomial(self, powers: Array, at: Expression) -> Expression:
-        at, value = ca.SX(at), ca.SX(0)
-        past = at - ca.pw_const(at, ca.DM(self._x), ca.DM(np.append(self._x[0], self._x)))
-        for power in powers[::-1]:
-            value = value * past + ca.pw_const(at, ca.DM(self._x), ca.DM(power))
-        return value
 
 
 def curve(columns: str) -> Any:
@@ -83,12 +45,12 @@ def smoothness() -> Any:
 
 def between(points: Any, at: Expression, how: str) -> Expression:
     """Return the value of a curve; smooth, it never overshoots its points."""
-    return _pieces(points, how).value(at)
+    return _through(points, how).value(at)
 
 
 def area(points: Any, at: Expression, how: str) -> Expression:
     """Return the area below a curve, from 0."""
-    return _pieces(points, how).area(at)
+    return _through(points, how).area(at)
 
 
 class Map:
@@ -101,22 +63,22 @@ class Map:
     def value(self, at_x: Expression, at_y: Expression) -> Expression:
         """Return the value at a place."""
         hats = (
-            ca.vertcat(*(curve.value(at) for curve in self._cardinal(points)))
+            ca.vertcat(*(curve.written(at) for curve in self._cardinal(points)))
             for points, at in ((self.x, at_x), (self.y, at_y))
         )
         return ca.bilin(ca.DM(self.values), *hats)
 
     def area(self, at_x: Expression, at_y: float) -> Expression:
         """Return the area below it over x, from 0, along a line y."""
-        hats = ca.vertcat(*(curve.value(at_y) for curve in self._cardinal(self.y)))
+        hats = ca.vertcat(*(curve.written(at_y) for curve in self._cardinal(self.y)))
         below = ca.vertcat(*(curve.area(at_x) for curve in self._cardinal(self.x)))
         return ca.bilin(ca.DM(self.values), below, hats)
 
-    def _cardinal(self, points: Array) -> list[PiecewisePolynomial]:
+    def _cardinal(self, points: Array) -> list[Pieces]:
         """Return for each point the curve that is 1 there and 0 at the others."""
         order: Literal[1, 2] = 2 if len(points) > 2 else 1
         slopes = (lambda x, y: np.gradient(y, x, edge_order=order)) if self.how == "smooth" else None
-        return [PiecewisePolynomial(points, unit, slopes) for unit in np.eye(len(points))]
+        return [Pieces.through(points, unit, slopes) for unit in np.eye(len(points))]
 
 
 def over_grid(points: Any, how: str) -> Map:
@@ -131,7 +93,7 @@ def periodic(points: Any, at: Expression, period: float) -> Expression:
     x, y = _columns(points)
     x, y = np.append(x, x[0] + period), np.append(y, y[0])
     turned = at - period * ca.floor((at - x[0]) / period)
-    return PiecewisePolynomial(x, y, _periodic_slopes).value(turned)
+    return Pieces.through(x, y, _periodic_slopes).value(turned)
 
 
 def monotone_slopes(x: Array, y: Array) -> Array:
@@ -153,9 +115,9 @@ def _columns(points: Any) -> Array:
     return np.array([tuple(map(float, row)) for row in points]).T
 
 
-def _pieces(points: Any, how: str) -> PiecewisePolynomial:
+def _through(points: Any, how: str) -> Pieces:
     x, y = _columns(points)
-    return PiecewisePolynomial(x, y, monotone_slopes if how == "smooth" else None)
+    return Pieces.through(x, y, monotone_slopes if how == "smooth" else None)
 
 
 def _fill_a_grid(given: list[tuple[float, ...]]) -> bool:

@@ -4,11 +4,11 @@ from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import Any
 
-import casadi as ca
+import numpy as np
 
 from ..base import rows
 from ..base.checks import Check
-from .language import Expression, option
+from .language import Expression, Pieces, option
 
 
 def over_speed(columns: str, value: str, default: float = 1.0) -> Any:
@@ -58,7 +58,5 @@ def interpolated(table: tuple[tuple[float, ...], ...], at: Expression, column: i
 
     A table of one row is constant.
     """
-    values = [float(row[column]) for row in table]
-    if len(table) == 1:
-        return values[0] + 0 * at
-    return ca.pw_lin(ca.SX(at), ca.DM([float(row[0]) for row in table]), ca.DM(values))
+    x, y = np.array([(row[0], row[column]) for row in table], dtype=float).T
+    return y[0] + 0 * at if len(table) == 1 else Pieces.through(x, y).value(at)

@@ -9,6 +9,7 @@ from typing import Any
 import casadi as ca
 
 from ..base import ModelError
+from ..components.language import called, written_out
 
 LONGEST = 200_000  # characters of one expression
 ATOM = re.compile(r"\w+(\.\w+)*(\(.*\))?|[\d.]+(e[+-]?\d+)?")
@@ -73,6 +74,8 @@ class Printer:
         if e.is_symbolic():
             name = self._names[e.element_hash()]
             return f"{name} <> 0" if truth else name
+        if e.is_output() and (function := written_out(e.dep(0).which_function())):
+            return self._text(_entry(e, function), truth)
         op = e.op()
         logical = self._logical(e, op)
         if logical:
@@ -115,6 +118,11 @@ class Printer:
 
     def _factor(self, e: Any) -> str:
         return _bracketed(self.number(e))
+
+
+def _entry(e: Any, function: Any) -> Any:
+    """Return the entry that an expression is of what it calls, of a function that stands in for that."""
+    return called(function, [e.dep(0).dep(k) for k in range(e.dep(0).n_dep())])[e.which_output()]
 
 
 def _cases(e: Any) -> tuple[Any, Any, Any] | None:

@@ -42,6 +42,11 @@ from .fields import mode as mode
 from .fields import option as option
 from .fields import parameter as parameter
 from .fields import variable as variable
+from .pieces import Pieces as Pieces
+from .pieces import called as called
+from .pieces import calls as calls
+from .pieces import slopes_of as slopes_of
+from .pieces import written_out as written_out
 from .reading import declared_template as declared_template
 from .reading import der as der
 from .reading import template_of as template_of

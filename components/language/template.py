@@ -7,6 +7,7 @@ from typing import Any
 import casadi as ca
 
 from .component import Component
+from .pieces import slopes_of
 
 
 @dataclass(frozen=True)
@@ -64,9 +65,10 @@ class Template:
         """Slopes of each residual, by number of the variable; asked for once the equations are read."""
         slopes: list[dict[int, Any]] = [{} for _ in self.residuals]
         if slopes:
-            matrix = ca.jacobian(ca.vertcat(*self.residuals), self.symbols)
-            for row, number, slope in zip(*matrix.sparsity().get_triplet(), matrix.nonzeros(), strict=True):
-                slopes[row][number] = slope
+            column = ca.vertcat(*self.residuals)
+            matrix = slopes_of(column, self.symbols)
+            for row, number in zip(*ca.jacobian_sparsity(column, self.symbols).get_triplet(), strict=True):
+                slopes[row][number] = matrix[row, number]
         return slopes
 
     def variable(self, name: str) -> Any:

@@ -6,13 +6,14 @@ each side is smooth, and the corner is an event.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import casadi as ca
 
 from ..dae import DAE
+from ..evaluation.instructions import Instruction, instructions, replayed
 from ..flattening.vectors import column, pick
 from ..reduction.transitions import Change
 
@@ -76,19 +77,14 @@ def is_corner(mode: str) -> bool:
     return mode.startswith(f"{NAME}[")
 
 
-def _instructions(known: Any) -> Iterator[tuple[int, int, list[int], list[int]]]:
-    """Yield number, operation, places of results and places of operands of what a function does."""
-    for k in range(known.n_instructions()):
-        yield k, known.instruction_id(k), known.instruction_output(k), known.instruction_input(k)
-
-
 def _without_limits(known: Any) -> set[int]:
     """Return the places of max and min whose values go into nothing that ends at a corner."""
     behind: dict[int, frozenset[int]] = {}
     found: set[int] = set()
-    for k, operation, into, of in _instructions(known):
+    for instruction in instructions(known):
+        operation, of = instruction.operation, instruction.of
         if operation in (ca.OP_INPUT, ca.OP_CONST, ca.OP_PARAMETER):
-            behind[into[0]] = frozenset()
+            behind[instruction.into[0]] = frozenset()
         elif operation != ca.OP_OUTPUT:
             passed: frozenset[int] = frozenset().union(*(behind[place] for place in of))
             if operation in LIMITED:
@@ -96,9 +92,9 @@ def _without_limits(known: Any) -> set[int]:
             elif operation == ca.OP_DIV:
                 found -= behind[of[1]]
             elif operation in CORNERS:
-                found.add(k)
-                passed |= {k}
-            behind[into[0]] = passed
+                found.add(instruction.number)
+                passed |= {instruction.number}
+            behind.update(dict.fromkeys(instruction.into, passed))
     return found
 
 
@@ -109,24 +105,15 @@ class _Corners:
         self.modes: list[Any] = []
         self.differences: list[Any] = []
         self._moving = ca.vertcat(dae.x, dae.z, dae.u, dae.time)
-        arguments = [argument.nz[:] for argument in dae.arguments()]
-        self.results = [ca.SX.zeros(known.sparsity_out(k)) for k in range(known.n_out())]
-        free = iter(known.free_sx())
-        work: dict[int, Any] = {}
-        for k, operation, into, of in _instructions(known):
-            if operation == ca.OP_OUTPUT:
-                self.results[into[0]].nz[into[1]] = work[of[0]]
-            elif operation == ca.OP_INPUT:
-                work[into[0]] = arguments[of[0]][of[1]]
-            elif operation == ca.OP_CONST:
-                work[into[0]] = ca.SX(known.instruction_constant(k))
-            elif operation == ca.OP_PARAMETER:
-                work[into[0]] = next(free)
-            else:
-                apply = self._chosen if k in chosen else ca.SX.unary if len(of) == 1 else ca.SX.binary
-                work[into[0]] = apply(operation, *(work[place] for place in of))
+        self._chosen = chosen
+        self.results = replayed(known, dae.arguments(), self._applied)
 
-    def _chosen(self, operation: int, a: Any, b: Any) -> Any:
+    def _applied(self, instruction: Instruction, operands: Sequence[Any]) -> list[Any]:
+        if instruction.number not in self._chosen:
+            return instruction.applied(operands)
+        return [self._by_mode(instruction.operation, *operands)]
+
+    def _by_mode(self, operation: int, a: Any, b: Any) -> Any:
         if not ca.depends_on(a - b, self._moving):
             return ca.SX.binary(operation, a, b)
         above = ca.SX.sym(NAME)

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from ...base import Array, heed
 from ..dae import DAE
+from ..evaluation.instructions import with_pieces_written
 from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.starting import Start
 from .library_cache import CLibrary
@@ -160,7 +161,7 @@ def crew_program(dae: DAE, functions: dict[str, Any], signals: Sequence[str], st
     """Return the program of a network with some inputs built in."""
     model = CModel(dae, functions, signals, (), standalone=False, start=start)
     by_name = {f.name(): f for f in model.functions()}
-    wide = [by_name[name] for name in WIDE_FUNCTIONS]
+    wide = [with_pieces_written(by_name[name]) for name in WIDE_FUNCTIONS]
     changes = len(dae.switching.mode_names) + (len(dae.jumps.motions) if dae.jumps else 0)
     free = [(declared.path, declared.order) for declared in model.free]
     texts, beside = model.texts() | sources(PLAIN), None

@@ -54,7 +54,8 @@ def generated(functions: Sequence[Any]) -> tuple[str, int]:
         path = generator.generate(f"{folder}/")
         text = Path(path).read_text(encoding="utf-8")
     text = WRITE.sub("res", READ.sub(r"arg[\1][\2];", AUXILIARY_FUNCTIONS.sub("", text)))
-    room = max((f.sz_w() for f in functions if not f.is_a("SXFunction")), default=0)
+    working = (f for f in functions if f.get_function() or not f.is_a("SXFunction"))
+    room = max((f.sz_w() for f in working), default=0)
     return _with_loops(PRELUDE + text, room) if large else (PRELUDE + text, room)
 
 

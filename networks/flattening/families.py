@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...base import Ints
+from ...components.language import slopes_of
 from .forms import Form
 from .vectors import pick, pick_matrix, stacked
 
@@ -129,7 +130,7 @@ def _merged(family: Family, first: Ints, turned: Ints, rows: Ints) -> Family:
     form = family.form
     symbols = [form.locals[int(f)] * int(s) for f, s in zip(first, turned, strict=True)]
     residual = ca.substitute(form.residual, form.locals, ca.vertcat(*symbols))
-    slopes = ca.densify(ca.jacobian(residual, form.locals))
+    slopes = slopes_of(residual, form.locals)
     cancelled = [i for i in range(len(first)) if slopes[i].is_zero()]
     residual = ca.substitute(residual, pick(form.locals, cancelled), ca.DM.zeros(len(cancelled)))
     kept = [i for i in range(len(first)) if first[i] == i and i not in cancelled]

@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from ...components.language import calls, slopes_of
 from .vectors import column, pick
 
 
@@ -40,12 +41,17 @@ class Form:
 
     def __post_init__(self) -> None:
         if not self.slopes:
-            self.slopes = ca.densify(ca.jacobian(self.residual, self.locals)).nonzeros()
+            self.slopes = slopes_of(self.residual, self.locals).nonzeros()
 
     @cached_property
     def numbers(self) -> NDArray[np.float64]:
         """The slopes that are numbers, NaN for the others."""
         return np.array([float(s) if s.is_constant() else np.nan for s in self.slopes])
+
+    @cached_property
+    def calls(self) -> bool:
+        """Whether it calls a function."""
+        return calls(self.residual)
 
     def function(self, *expressions: Any) -> Any:
         """Return expressions of local symbols as a function of locals, given and time."""

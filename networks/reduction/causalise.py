@@ -15,7 +15,8 @@ import casadi as ca
 import numpy as np
 
 from ...base import Flags, Ints
-from ..flattening.vectors import column, pick, stacked
+from ...components.language import calls
+from ..flattening.vectors import column, pick, put_in, stacked
 from .pantelides import System, counted
 from .tearing import Torn, ZeroSlopes, tear
 
@@ -136,8 +137,8 @@ def _substituted(
     matrices = [block.matrix for block in torn]
     values, others = symbols[:], [*residuals, *matrices, also]
     if order:
-        replaced: Any = ca.substitute_inplace([pick(symbols, order)], [definitions], others)
-        [values.nz[order]], others = replaced
+        calling = system.calls or calls(also)
+        values.nz[order], others = put_in(pick(symbols, order), definitions, others, calling)
     count = len(residuals)
     for block, matrix in zip(torn, others[count:-1], strict=True):
         block.matrix = matrix

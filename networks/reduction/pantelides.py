@@ -35,6 +35,11 @@ class System:
     next_level: list[dict[int, Equation]] = field(default_factory=list)
     level: list[int] = field(default_factory=list)
 
+    @property
+    def calls(self) -> bool:
+        """Whether equations call functions."""
+        return any(family.form.calls for family in self.families)
+
     def derivative_of(self, variable: int) -> tuple[int, int]:
         """Return a variable's derivative and its sign, made when there is none yet."""
         if variable not in self.derivative:

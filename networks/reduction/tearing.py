@@ -16,6 +16,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import Flags
+from ..flattening.vectors import put_in
 from .pantelides import Equation, System
 
 EXPLICIT_SIZE = 8  # torn variables up to which a linear block is solved symbolically
@@ -89,7 +90,7 @@ def tear(
     if assigned:
         targets = symbols[[v for v, _ in assigned]]
         definitions = ca.vertcat(*[x for _, x in assigned])
-        _, residuals = ca.substitute_inplace([targets], [definitions], residuals)
+        _, residuals = put_in(targets, definitions, residuals, system.calls)
     unknown = symbols[tears]
     residual = ca.vertcat(*residuals)
     matrix = ca.jacobian(residual, unknown)

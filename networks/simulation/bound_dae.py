@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array, ModelError, named
-from ...components.language import Sampled
+from ...components.language import Sampled, calls
 from ..dae import DAE, Input
 from ..evaluation.compiled import Batch, Compiled, dense
 from ..flattening.vectors import pick, stacked
@@ -24,7 +24,6 @@ from .events.functions import SwitchFunctions
 from .events.shocks import Shocks
 from .input_signals import Polynomial, SignalKey, chosen_signals, input_value
 from .integrator import Stepper
-from .intervals import calls
 from .legs import Leg, legs_of, together
 from .splines import sampled_at
 from .time_signals import TimeSignals, timed_rows

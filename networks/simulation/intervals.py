@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array, Flags
+from ..evaluation.instructions import instructions
 
 Bounds = tuple[Array, Array]
 Truth = tuple[Flags, Flags]  # where something is certainly true, and where certainly false
@@ -47,14 +48,15 @@ class Enclosure:
         undecided = np.zeros(count, dtype=bool)
         work: dict[int, Bounds] = {}
         with np.errstate(all="ignore"):
-            for operation, into, of, constant in self._instructions:
+            for instruction in self._instructions:
+                operation, into, of = instruction.operation, instruction.into, instruction.of
                 if operation == ca.OP_OUTPUT:
                     row = self._places[into[1]]
                     lows[:, row], highs[:, row] = work[of[0]]
                 elif operation == ca.OP_INPUT:
                     work[into[0]] = columns[of[0]][of[1]]
                 elif operation == ca.OP_CONST:
-                    work[into[0]] = np.full(count, constant), np.full(count, constant)
+                    work[into[0]] = (np.full(count, instruction.constant),) * 2
                 else:
                     low, high, unsure = _RULES.get(operation, _UNKNOWN)(*(work[place] for place in of))
                     unknown = ~((low < np.inf) & (high > -np.inf))  # NaN, too
@@ -62,22 +64,6 @@ class Enclosure:
                     work.update(dict.fromkeys(into, bounds))
                     undecided |= unsure
         return lows, highs, undecided
-
-
-def instructions(function: Any) -> list[tuple[int, list[int], list[int], float]]:
-    """Return the operations of an SX function: which, into and out of which places, and its constant."""
-    found = []
-    for k in range(function.n_instructions()):
-        operation = function.instruction_id(k)
-        constant = function.instruction_constant(k) if operation == ca.OP_CONST else 0.0
-        found.append((operation, function.instruction_output(k), function.instruction_input(k), constant))
-    return found
-
-
-def calls(expression: Any) -> bool:
-    """Tell whether an SX expression calls a function, of which nothing but its numbers is known."""
-    function = ca.Function("value", ca.symvar(expression), [expression])
-    return any(operation == ca.OP_CALL for operation, *_ in instructions(function))
 
 
 def _within(low: float, high: float) -> Rule:

@@ -12,9 +12,10 @@ import numpy as np
 from ...base import Array, Flags
 from ...components.language import Sampled
 from ..evaluation.compiled import Batch
+from ..evaluation.instructions import instructions
 from ..flattening.vectors import column, pick, stacked
 from .input_signals import SignalKey
-from .intervals import Bounds, Enclosure, instructions
+from .intervals import Bounds, Enclosure
 from .splines import breaks, sampled_at
 
 if TYPE_CHECKING:
@@ -253,22 +254,25 @@ def _largest(dae: DAE, equations: Any, inputs: Mapping[int, int]) -> Any:
     entries = [symbol.nz[:] for symbol in symbols]
     work: dict[int, tuple[int, Any]] = {}
     found: dict[int, Any] = {}
-    for operation, into, of, constant in instructions(ca.Function("equations", symbols, [equations])):
+    for instruction in instructions(ca.Function("equations", symbols, [equations])):
+        operation, into, of = instruction.operation, instruction.into, instruction.of
         if operation == ca.OP_INPUT:
             work[into[0]] = _kind(of[0], of[1], dae.p.numel(), inputs), entries[of[0]][of[1]]
         elif operation == ca.OP_CONST:
-            work[into[0]] = CONSTANT, ca.SX(constant)
+            work[into[0]] = CONSTANT, ca.SX(instruction.constant)
         else:
             operands = [work[place] for place in of]
             kinds, values = [kind for kind, _ in operands], [value for _, value in operands]
-            ends = operation == ca.OP_OUTPUT or STATES in kinds
+            known = instruction if STATES in kinds else instruction.written_out
+            hidden = STATES in kinds or known.is_closed
+            ends = operation == ca.OP_OUTPUT or hidden
             apart = {FORMAL, DRAWN} if ends else {FORMAL} if DRAWN in kinds else set()
             timed = [_bare(value, moving) for kind, value in operands if kind in apart]
             found |= {value.element_hash(): value for value in timed}
             if operation != ca.OP_OUTPUT:
-                apply = ca.SX.unary if len(values) == 1 else ca.SX.binary
-                whole = STATES not in kinds
-                work[into[0]] = (max(kinds), apply(operation, *values)) if whole else (STATES, None)
+                made = [None] * len(into) if hidden else known.applied(values)
+                kind = STATES if hidden else max(kinds)
+                work.update(zip(into, ((kind, one) for one in made), strict=True))
     return column([*found.values()])
 
 
