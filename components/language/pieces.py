@@ -102,7 +102,8 @@ def written_out(function: Any) -> Any:
 
     That may be a derivative, of any order, of one that does.
     """
-    orders, name = [], function.name()
+    orders: list[str] = []
+    name = function.name()
     while name[:5] in DERIVATIVES:
         orders, name = [DERIVATIVES[name[:5]], *orders], name[5:]
     table = _table(function) if name == NAME else None

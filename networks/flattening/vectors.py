@@ -50,8 +50,8 @@ def put_in(symbols: Any, definitions: Any, others: Sequence[Any], calling: bool)
     one for each doubling of how deep definitions stand in each other.
     """
     if not calling:
-        [definitions], others = ca.substitute_inplace([symbols], [definitions], [*others])
-        return definitions, others
+        replaced: Any = ca.substitute_inplace([symbols], [definitions], [*others])
+        return replaced[0][0], replaced[1]
     own = {symbol.element_hash() for symbol in ca.vertsplit(symbols)}
     while any(symbol.element_hash() in own for symbol in ca.symvar(definitions)):
         definitions = ca.substitute(definitions, symbols, definitions)

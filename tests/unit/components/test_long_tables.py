@@ -27,7 +27,10 @@ def finer(table: Table, rows: int = 150) -> Table:
     """The same lines between more points."""
     x, *columns = np.array(table).T
     points = np.union1d(x, np.linspace(x[0], x[-1], rows))
-    return np.column_stack([points, *(np.interp(points, x, one) for one in columns)]).tolist()
+    rows_of_columns = zip(
+        points.tolist(), *(np.interp(points, x, one).tolist() for one in columns), strict=True
+    )
+    return [*rows_of_columns]
 
 
 def shaken(element: ia.Component) -> ia.Network:
