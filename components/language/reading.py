@@ -14,6 +14,8 @@ from .fields import Option, Part, Port, RealInput, RealOutput, Variable
 from .scope import Scope
 from .template import Template
 
+MOST_TEMPLATES = 256  # of a class that are kept, one for each choice of options
+
 _reading: ContextVar[Template] = ContextVar("template being read")
 
 
@@ -30,16 +32,17 @@ def der(variable: Any) -> Any:
 
 
 def template_of(component: Component) -> Template:
-    """Return the template of a component, read once per class and choice of options."""
-    kind = type(component)
+    """Return the template of a component, read once per class and options; the last ones are kept."""
+    known = type(component)._templates
     options = tuple(component._get(option) for option in fields_of(component, Option))
     try:
-        known = kind._templates.get(options)
+        hash(options)
     except TypeError:
         return _read(component)
-    if known is None:
-        known = kind._templates[options] = _read(component)
-    return known
+    known[options] = template = known.pop(options, None) or _read(component)
+    if len(known) > MOST_TEMPLATES:
+        known.pop(next(iter(known)), None)
+    return template
 
 
 def declared_template(component: Component) -> Template:

@@ -8,10 +8,10 @@ import casadi as ca
 import inertance as ia
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from inertance import rotational, signals
-from inertance.components.language import Pieces, Stated, pieces
+from inertance.components.language import Pieces, Stated, pieces, reading
 from inertance.modelica import to_modelica
 
 Table = Sequence[Sequence[float]]
@@ -146,6 +146,7 @@ def test_equations_may_call_functions_of_casadi(built: Machine, solver: str) -> 
     assert by_spline == pytest.approx(cubic, abs=1e-5 * np.ptp(cubic))
 
 
+@settings(deadline=None, max_examples=40)
 @given(
     seed=st.integers(0, 2**31),
     order=st.integers(1, 4),
@@ -193,6 +194,17 @@ def test_a_long_table_in_modelica_is_written_out(monkeypatch: pytest.MonkeyPatch
     assert looked_up == text()
     assert "looked_up" not in looked_up
     ia.TabulatedSpring._templates.clear()
+
+
+def test_tables_that_are_used_no_more_are_forgotten(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading, "MOST_TEMPLATES", 4)
+    kept, kinds = ia.TabulatedSpring(table=CURVE), ia.TabulatedSpring._templates
+    kinds.clear()
+    first = reading.template_of(kept)
+    for slope in range(1, 9):
+        reading.template_of(ia.TabulatedSpring(table=((0.0, 0.0), (1.0, slope))))
+        assert reading.template_of(kept) is first
+    assert len(kinds) == 4
 
 
 def test_members_of_an_ensemble_look_up_as_a_run_does() -> None:
