@@ -56,7 +56,8 @@ class Enclosure:
                 elif operation == ca.OP_INPUT:
                     work[into[0]] = columns[of[0]][of[1]]
                 elif operation == ca.OP_CONST:
-                    work[into[0]] = (np.full(count, instruction.constant),) * 2
+                    constant = np.full(count, instruction.constant)
+                    work[into[0]] = constant, constant
                 else:
                     low, high, unsure = _RULES.get(operation, _UNKNOWN)(*(work[place] for place in of))
                     unknown = ~((low < np.inf) & (high > -np.inf))  # NaN, too
