@@ -137,7 +137,8 @@ def called(function: Any, operands: Sequence[Expression]) -> list[Expression]:
     left = iter(operands)
     shapes = map(function.sparsity_in, range(function.n_in()))
     arguments = [ca.SX(shape, ca.vertcat(*islice(left, shape.nnz()))) for shape in shapes]
-    return [entry for result in function.call(arguments) for entry in ca.vertsplit(result.nz[:])]
+    results = function.call(arguments, False, not function.is_a("SXFunction"))  # others stay calls
+    return [entry for result in results for entry in ca.vertsplit(result.nz[:])]
 
 
 def _table(function: Any) -> Array | None:

@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 
 from ..dae import DAE
-from ..evaluation.instructions import Instruction, instructions, replayed
+from ..flattening.instructions import Instruction, instructions, replayed
 from ..flattening.vectors import column, pick
 from ..reduction.transitions import Change
 

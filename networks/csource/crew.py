@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from ...base import Array, heed
 from ..dae import DAE
-from ..evaluation.instructions import with_pieces_written
+from ..flattening.instructions import with_pieces_written
 from ..simulation.events.constants import FIRING_ROUNDS
 from ..simulation.starting import Start
 from .library_cache import CLibrary

@@ -41,18 +41,3 @@ def stacked(*columns: Any) -> Symbolic:
 def column(entries: Sequence[Any]) -> Any:
     """Return SX scalars and columns as one column, (0, 1) if there are none."""
     return ca.vertcat(*entries) if entries else ca.SX(0, 1)
-
-
-def put_in(symbols: Any, definitions: Any, others: Sequence[Any], calling: bool) -> tuple[Any, list[Any]]:
-    """Put definitions of symbols, each in terms of those before it, into each other and into others.
-
-    Where these are `calling` functions, as CasADi 3.8.2 knows no calls where it does so in one pass, it takes
-    one for each doubling of how deep definitions stand in each other.
-    """
-    if not calling:
-        replaced: Any = ca.substitute_inplace([symbols], [definitions], [*others])
-        return replaced[0][0], replaced[1]
-    own = {symbol.element_hash() for symbol in ca.vertsplit(symbols)}
-    while any(symbol.element_hash() in own for symbol in ca.symvar(definitions)):
-        definitions = ca.substitute(definitions, symbols, definitions)
-    return definitions, [ca.substitute(other, symbols, definitions) for other in others]

@@ -16,7 +16,8 @@ import numpy as np
 
 from ...base import Flags, Ints
 from ...components.language import calls
-from ..flattening.vectors import column, pick, put_in, stacked
+from ..flattening.instructions import put_in
+from ..flattening.vectors import column, pick, stacked
 from .pantelides import System, counted
 from .tearing import Torn, ZeroSlopes, tear
 

@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import Flags
-from ..flattening.vectors import put_in
+from ..flattening.instructions import put_in
 from .pantelides import Equation, System
 
 EXPLICIT_SIZE = 8  # torn variables up to which a linear block is solved symbolically

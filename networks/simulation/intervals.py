@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from ...base import Array, Flags
-from ..evaluation.instructions import instructions
+from ..flattening.instructions import instructions
 
 Bounds = tuple[Array, Array]
 Truth = tuple[Flags, Flags]  # where something is certainly true, and where certainly false

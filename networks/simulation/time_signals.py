@@ -12,7 +12,7 @@ import numpy as np
 from ...base import Array, Flags
 from ...components.language import Sampled
 from ..evaluation.compiled import Batch
-from ..evaluation.instructions import instructions
+from ..flattening.instructions import instructions
 from ..flattening.vectors import column, pick, stacked
 from .input_signals import SignalKey
 from .intervals import Bounds, Enclosure

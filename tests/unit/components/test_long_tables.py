@@ -27,10 +27,8 @@ def finer(table: Table, rows: int = 150) -> Table:
     """The same lines between more points."""
     x, *columns = np.array(table).T
     points = np.union1d(x, np.linspace(x[0], x[-1], rows))
-    rows_of_columns = zip(
-        points.tolist(), *(np.interp(points, x, one).tolist() for one in columns), strict=True
-    )
-    return [*rows_of_columns]
+    between = [np.interp(points, x, one).tolist() for one in columns]
+    return [*zip(points.tolist(), *between, strict=True)]
 
 
 def shaken(element: ia.Component) -> ia.Network:
@@ -174,6 +172,24 @@ def test_equations_do_not_grow_with_the_table(how: Any) -> None:
         dae = shaken(ia.TabulatedSpring(table=finer(CURVE, rows), interpolation=how)).dae()
         sizes.add(ca.Function("equations", dae.arguments(), [dae.ode]).n_instructions())
     assert len(sizes) == 1
+
+
+def test_equations_do_not_grow_where_much_follows_from_a_table() -> None:
+    """One after the other, the torques of a train of gears follow from that of the table at its end."""
+    sizes = []
+    for table in (CURVE, finer(CURVE)):
+        train = {f"gear{k}": rotational.IdealGear(ratio=1.01) for k in range(40)}
+        rotors = {f"rotor{k}": rotational.Inertia(J=0.1) for k in range(41)}
+        spring = rotational.TabulatedSpring(table=table)
+        net = ia.Network("train", spring=spring, wall=rotational.Fixed(), **train, **rotors)
+        for k, gear in enumerate(train.values()):
+            net.connect(rotors[f"rotor{k}"].flange, gear.flange_a)
+            net.connect(gear.flange_b, rotors[f"rotor{k + 1}"].flange)
+        net.connect(rotors["rotor40"].flange, spring.flange_a).connect(spring.flange_b, net.wall.flange)
+        dae = net.dae()
+        all_of_it = ca.Function("all", dae.arguments(), [dae.variables], {"allow_free": True})
+        sizes.append(all_of_it.n_instructions())
+    assert sizes[1] <= sizes[0]
 
 
 @pytest.mark.parametrize("solver", ["cvodes", "compiled"])
